@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds everything and runs all tests, installing on Debian what they need. Ends with the summary of ctest.
+#
+#   scripts/run_tests.sh [CMAKE OPTIONS...]
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" "${ATLAS_TEST_PACKAGES[@]}"
+build test all "$@"
+say "Running the tests"
+exec ctest --test-dir "$atlas_root/build/test" --output-on-failure --no-tests=error \
+  --parallel "$(nproc)" --timeout 300

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+# Helpers of the other scripts, to be sourced: install what is missing, configure, build.
+
+# What the example needs, what the tests need besides, what the checks of the source need besides.
+ATLAS_EXAMPLE_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev
+                        libpng-dev libcli11-dev nlohmann-json3-dev)
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libtinygltf-dev libstb-dev)
+ATLAS_CHECK_PACKAGES=(clang-format)
+
+say() { printf '\n== %s\n' "$*" >&2; }
+die() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# as_root COMMAND...: runs it as root, if need be through sudo.
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    die "root or sudo is needed to run: $*"
+  fi
+}
+
+# apt_get ARGUMENTS...: apt-get that asks nothing, waits for other package managers and tries again.
+apt_get() {
+  local try
+  for try in 1 2 3; do
+    if as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 \
+        -o DPkg::Lock::Timeout=300 "$@" </dev/null >&2; then
+      return 0
+    fi
+    [ "$try" -eq 3 ] || sleep $((5 * try))
+  done
+  return 1
+}
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# install_packages NAME...: installs the Debian packages of the list that are missing.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    say "Not a Debian system: make sure that the counterparts of these packages are installed: $*"
+    return 0
+  fi
+  local package missing=()
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  say "Installing ${missing[*]}"
+  apt_get update || die "the lists of Debian packages cannot be brought up to date"
+  apt_get install --yes --no-install-recommends "${missing[@]}" || die "could not install ${missing[*]}"
+}
+
+# build PRESET TARGET [CMAKE OPTIONS...]: configures and builds in build/PRESET, with ccache when it is there.
+build() {
+  local preset=$1 target=$2
+  shift 2
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  say "Configuring and building $target in build/$preset"
+  (cd "$atlas_root" && cmake --preset "$preset" "${launcher[@]}" "$@" >&2) || die "CMake failed"
+  cmake --build "$atlas_root/build/$preset" --target "$target" >&2 || die "the build failed"
+}
+
+atlas_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
