@@ -69,8 +69,15 @@ struct Surface
   std::size_t number_of_triangles() const { return triangles.size(); }
   const Point_3& point(Index halfedge) const { return points[triangles[halfedge / 3][halfedge % 3]]; }
 
-  /// Whether the halfedge is inside an input polygon; such an edge can never be a seam.
-  bool is_diagonal(Index h) const { return opposite[h] != no_index && face[h / 3] == face[opposite[h] / 3]; }
+  /// Whether the halfedge is inside an input polygon; such an edge can never be a seam. Where a polygon
+  /// touches itself along an edge of its own (the bridge to a hole), the corners on either side differ, and it
+  /// can.
+  bool is_diagonal(Index h) const
+  {
+    const Index o = opposite[h];
+    return o != no_index && face[h / 3] == face[o / 3] && corner[h] == corner[next_halfedge(o)] &&
+           corner[o] == corner[next_halfedge(h)];
+  }
 };
 
 /// \brief Which triangles belong together, and where charts are cut open.
