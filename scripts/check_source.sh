@@ -8,7 +8,7 @@ install_packages "${ATLAS_CHECK_PACKAGES[@]}"
 cd "$atlas_root"
 
 say "Checking the formatting"
-find include examples test benchmark doc \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null |
+find . \( -path ./.git -o -path './build*' \) -prune -o \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run --Werror
 
 say "Checking the licence lines"
