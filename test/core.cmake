@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: MIT
 atlas_test(build_surface_test)
+atlas_test(measure_test)
