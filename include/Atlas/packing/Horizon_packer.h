@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_HORIZON_PACKER_H
+#define ATLAS_PACKING_HORIZON_PACKER_H
+
+#include <Atlas/concepts.h>
+#include <Atlas/packing/internal/horizon_layout.h>
+
+#include <span>
+
+namespace Atlas {
+
+/// \brief The packer of Lévy, Petitjean, Ray and Maillot (2002), section 4: charts fall on a horizon.
+///
+/// The largest diameter of each chart is stood upright, charts are sorted by it in decreasing order, and each
+/// is put where the space lost between its bottom horizon and the horizon of the page is least. Horizons are
+/// arrays with one entry a texel of width. The largest density that fits the page is searched to 0.1 %.
+///
+/// Guarantees no two charts nearer than the gutter and none nearer than half of it to the border of the page,
+/// after rounding to single precision too: horizons are those of the charts grown by half the gutter, and
+/// bound them over the whole width of a texel. Where a page has no room for that many charts and gutters,
+/// the gutter shrinks.
+///
+/// About 10 layouts, each O(segments + charts x width of the page) and seldom more.
+///
+/// Models `ChartPacker`.
+class Horizon_packer
+{
+public:
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
+  {
+    const internal::Outlines outlines = internal::outlines_of(charts, execution);
+    return internal::packing_of(
+        outlines, internal::horizon_layout(outlines, page, internal::Horizon_source::outline, execution));
+  }
+};
+
+static_assert(ChartPacker<Horizon_packer>);
+
+} // namespace Atlas
+
+#endif

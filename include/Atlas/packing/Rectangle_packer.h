@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_RECTANGLE_PACKER_H
+#define ATLAS_PACKING_RECTANGLE_PACKER_H
+
+#include <Atlas/concepts.h>
+#include <Atlas/packing/internal/horizon_layout.h>
+
+#include <span>
+
+namespace Atlas {
+
+/// \brief Packs the bounding rectangles of least area of the charts (Sander et al. 2001) on a skyline.
+///
+/// The longer side of each rectangle is stood upright, rectangles are sorted by it in decreasing order, and
+/// each is put where the space lost below it is least. The simplest packer, for comparison. Same guarantees
+/// as `Horizon_packer`.
+///
+/// Models `ChartPacker`.
+class Rectangle_packer
+{
+public:
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
+  {
+    const internal::Outlines outlines = internal::outlines_of(charts, execution);
+    return internal::packing_of(
+        outlines, internal::horizon_layout(outlines, page, internal::Horizon_source::rectangle, execution));
+  }
+};
+
+static_assert(ChartPacker<Rectangle_packer>);
+
+} // namespace Atlas
+
+#endif

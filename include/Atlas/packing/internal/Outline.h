@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_OUTLINE_H
+#define ATLAS_PACKING_INTERNAL_OUTLINE_H
+
+#include <Atlas/Chart.h>
+#include <Atlas/Execution.h>
+#include <Atlas/Packing.h>
+#include <Atlas/internal/connectivity.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// A vector or point of the plane in plain doubles: packing spends its time on them.
+struct Vec2
+{
+  double x = 0, y = 0;
+
+  friend Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
+  friend bool operator==(Vec2 a, Vec2 b) = default;
+};
+inline double dot(Vec2 a, Vec2 b)
+{
+  return a.x * b.x + a.y * b.y;
+}
+inline double cross(Vec2 a, Vec2 b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+inline double length(Vec2 a)
+{
+  return std::sqrt(dot(a, a));
+}
+/// `v` turned by the unit complex number `r`.
+inline Vec2 rotated(Vec2 r, Vec2 v)
+{
+  return {r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y};
+}
+
+/// What a packer needs of a chart: the segments that bound its image, about a centre, in a unit in which the
+/// largest chart measures 1.
+struct Outline
+{
+  std::vector<Vec2> points;                   ///< ends of the segments
+  std::vector<Index> vertices;                ///< per point: the vertex of the chart
+  std::vector<std::array<Index, 2>> segments; ///< those of the border first, the inside on their left
+  std::size_t number_of_border_segments = 0;
+  std::vector<std::array<Vec2, 3>> triangles; ///< only of folded charts, whose border alone does not tell
+                                              ///< what is inside
+  std::vector<Index> seeds;                   ///< one point of each connected part of the segments
+  Vec2 centre;                                ///< in the chart's own coordinates
+  double area = 0;                            ///< sum of the areas of the triangles
+  double radius = 0;                          ///< largest distance of a point from the centre
+
+  bool is_empty() const { return points.empty(); }
+};
+
+/// The outlines of a set of charts in a common unit.
+struct Outlines
+{
+  std::vector<Outline> charts;
+  double unit = 1; ///< chart coordinates x unit = outline coordinates
+  double area = 0; ///< of all charts, in outline coordinates
+
+  std::size_t size() const { return charts.size(); }
+
+  /// The placement that scales the outline `i` by `scale`, turns it by the unit complex number `turn`, and
+  /// moves its centre to `position`.
+  Placement placement(std::size_t i, double scale, Vec2 turn, Vec2 position, Index page = 0) const
+  {
+    const Vec2 r = (scale * unit) * turn;
+    const Vec2 t = position - rotated(r, charts[i].centre);
+    return {r.x, r.y, t.x, t.y, page};
+  }
+};
+
+/// Centre and half of the larger side of the box of the triangles' corners.
+inline std::array<double, 3> centre_and_extent(const Chart& chart)
+{
+  double box[4] = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const auto& triangle : chart.triangles)
+    for (const Index v : triangle) {
+      box[0] = std::min(box[0], chart.uv[v].x()), box[2] = std::max(box[2], chart.uv[v].x());
+      box[1] = std::min(box[1], chart.uv[v].y()), box[3] = std::max(box[3], chart.uv[v].y());
+    }
+  if (chart.triangles.empty())
+    return {0, 0, 0};
+  return {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2,
+          std::max(box[2] / 2 - box[0] / 2, box[3] / 2 - box[1] / 2)};
+}
+
+/// One point of each connected part of the segments, by union and find.
+inline void find_seeds(Outline& outline)
+{
+  std::vector<Index> parent(outline.points.size());
+  std::iota(parent.begin(), parent.end(), Index(0));
+  const auto root = [&](Index i) {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [i, j] : outline.segments)
+    parent[std::max(root(i), root(j))] = std::min(root(i), root(j));
+  for (Index i = 0; i < parent.size(); ++i)
+    if (parent[i] == i)
+      outline.seeds.push_back(i);
+}
+
+/// Builds the outline of one chart about `outline.centre`. An edge bounds the image unless two triangles lie
+/// on its two sides: so the border, and where a chart is not one-to-one also its folds.
+inline void build_outline(const Chart& chart, double unit, Outline& outline)
+{
+  const auto at = [&](Index v) { return unit * (Vec2{chart.uv[v].x(), chart.uv[v].y()} - outline.centre); };
+  const std::vector<Index> opposite = opposite_halfedges(chart.triangles);
+  std::vector<int> side(chart.triangles.size());
+  bool is_folded = false;
+  int majority = 0;
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    const auto& [a, b, c] = chart.triangles[t];
+    const double doubled = cross(at(b) - at(a), at(c) - at(a));
+    outline.area += std::abs(doubled) / 2;
+    side[t] = (doubled > 0) - (doubled < 0);
+    if (side[t] != 0) {
+      is_folded = is_folded || (majority != 0 && side[t] != majority);
+      majority = side[t];
+    }
+  }
+  std::vector<Index> local(chart.uv.size(), no_index);
+  const auto point = [&](Index v) {
+    if (local[v] == no_index) {
+      local[v] = static_cast<Index>(outline.points.size());
+      outline.points.push_back(at(v));
+      outline.vertices.push_back(v);
+      outline.radius = std::max(outline.radius, length(at(v)));
+    }
+    return local[v];
+  };
+  const auto add_segment = [&](Index h) {
+    const Index n = next_halfedge(h);
+    outline.segments.push_back({point(chart.triangles[h / 3][h % 3]), point(chart.triangles[n / 3][n % 3])});
+  };
+  for (Index h = 0; h < opposite.size(); ++h)
+    if (opposite[h] == no_index)
+      add_segment(h);
+  outline.number_of_border_segments = outline.segments.size();
+  for (Index h = 0; h < opposite.size(); ++h)
+    if (const Index o = opposite[h];
+        o != no_index && h < o && (side[h / 3] != side[o / 3] || side[h / 3] == 0))
+      add_segment(h);
+  find_seeds(outline);
+  if (is_folded)
+    for (const auto& [a, b, c] : chart.triangles)
+      outline.triangles.push_back({at(a), at(b), at(c)});
+}
+
+/// The outlines of all charts. The coordinates have to be finite. O(n log n).
+inline Outlines outlines_of(std::span<const Chart> charts, const Execution& execution)
+{
+  Outlines result;
+  result.charts.resize(charts.size());
+  double extent = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const auto [x, y, e] = centre_and_extent(charts[i]);
+    result.charts[i].centre = {x, y};
+    extent = std::max(extent, e);
+  }
+  if (extent > 0)
+    result.unit = 0.5 / extent;
+  execution.for_each(charts.size(),
+                     [&](std::size_t i) { build_outline(charts[i], result.unit, result.charts[i]); });
+  for (const Outline& outline : result.charts)
+    result.area += outline.area;
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif

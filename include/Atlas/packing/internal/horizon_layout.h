@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_HORIZON_LAYOUT_H
+#define ATLAS_PACKING_INTERNAL_HORIZON_LAYOUT_H
+
+#include <Atlas/packing/internal/Outline.h>
+#include <Atlas/packing/internal/convex_hull.h>
+#include <Atlas/packing/internal/horizon.h>
+#include <Atlas/packing/internal/scale_search.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Where each outline of a set is, at one scale.
+struct Layout
+{
+  double scale = 0;
+  double margin = 0; ///< what every chart was grown by
+  std::vector<Vec2> turns, positions;
+};
+
+/// What the horizon of a chart is taken from.
+enum class Horizon_source { outline, rectangle };
+
+/// The turn that puts `direction` upright.
+inline Vec2 upright(Vec2 direction)
+{
+  const double l = length(direction);
+  return l > 0 ? (1 / l) * Vec2{direction.y, direction.x} : Vec2{1, 0};
+}
+
+/// Per chart the turn that stands it upright: by its diameter, or by the longer side of its least rectangle.
+inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source)
+{
+  std::vector<Vec2> turns(outlines.size(), Vec2{1, 0});
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const std::vector<Vec2> hull = convex_hull(outlines.charts[i].points);
+    if (source == Horizon_source::outline) {
+      turns[i] = upright(diameter(hull));
+      continue;
+    }
+    Vec2 e = least_rectangle_direction(hull);
+    const auto extent = [&](Vec2 direction) {
+      double low = 0, high = 0;
+      for (const Vec2& p : hull) {
+        low = std::min(low, dot(direction, p));
+        high = std::max(high, dot(direction, p));
+      }
+      return high - low;
+    };
+    const Vec2 across{-e.y, e.x};
+    turns[i] = upright(extent(e) >= extent(across) ? e : across);
+  }
+  return turns;
+}
+
+/// The layout of the paper's section 4 at the largest scale that fits the page; nothing if even points
+/// without a gutter do not.
+inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_options& page,
+                                            Horizon_source source, const Execution& execution)
+{
+  const std::vector<Vec2> turns = upright_turns(outlines, source);
+  std::vector<double> heights(outlines.size(), 0.0);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    double low = 0, high = 0;
+    for (const Vec2& p : outlines.charts[i].points) {
+      low = std::min(low, rotated(turns[i], p).y);
+      high = std::max(high, rotated(turns[i], p).y);
+    }
+    heights[i] = high - low;
+  }
+  std::vector<Index> order(outlines.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return heights[i] > heights[j]; });
+
+  std::vector<Horizon_shape> shapes(outlines.size());
+  const auto attempt = [&](double scale, double margin) -> std::optional<Layout> {
+    Layout layout{scale, margin, turns, std::vector<Vec2>(outlines.size())};
+    execution.for_each(outlines.size(), [&](std::size_t i) {
+      if (outlines.charts[i].is_empty())
+        return;
+      shapes[i] = horizon_shape(outlines.charts[i], turns[i], scale, margin);
+      if (source == Horizon_source::rectangle)
+        flatten_horizons(shapes[i]);
+    });
+    Horizon_page sheet(page.width, page.height);
+    for (const Index i : order) {
+      if (outlines.charts[i].is_empty())
+        continue;
+      const std::optional<Vec2> corner = sheet.insert(shapes[i]);
+      if (!corner || execution.is_cancelled())
+        return std::nullopt;
+      layout.positions[i] = *corner + shapes[i].origin;
+    }
+    return layout;
+  };
+  return search_scale(outlines, page, 1e-3, attempt);
+}
+
+/// A layout on one page in the terms of the charts.
+inline Packing packing_of(const Outlines& outlines, const std::optional<Layout>& layout)
+{
+  Packing packing;
+  packing.placements.resize(outlines.size());
+  if (!layout)
+    return packing;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    packing.placements[i] = outlines.placement(i, layout->scale, layout->turns[i], layout->positions[i]);
+  packing.number_of_pages = outlines.size() == 0 ? 0 : 1;
+  packing.density = layout->scale * outlines.unit;
+  return packing;
+}
+
+} // namespace Atlas::internal
+
+#endif
