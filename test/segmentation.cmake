@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+atlas_test(cut_to_discs_test)
