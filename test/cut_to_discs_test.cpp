@@ -317,6 +317,32 @@ TEST(Cut_to_discs, Same_result_on_any_number_of_threads_and_scale)
   EXPECT_EQ(one.cut, tiny.cut);
 }
 
+TEST(Cut_to_discs, A_slit_of_one_edge_in_a_sphere_becomes_longer)
+{
+  for (const Soup& soup : {tetrahedron(), test::sphere(2)}) {
+    const Surface surface = test::surface_of(soup);
+    Segmentation segmentation = test::one_chart(surface);
+    segmentation.cut[0] = 1;
+    cut_to_discs(surface, segmentation);
+    test::expect_discs(surface, segmentation);
+    EXPECT_EQ(segmentation.number_of_charts, 1u);
+    EXPECT_TRUE(segmentation.cut[0]);
+  }
+}
+
+TEST(Cut_to_discs, Faces_that_an_indexed_mesh_cannot_glue_leave_the_chart)
+{
+  // A square with a back of its own vertices in the same places: glued along the rim by place, so that both
+  // diagonals join the same two vertices.
+  const Soup soup{
+      {{-1, 0, 1}, {1, 0, 1}, {-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {-1, 0, -1}, {1, 0, -1}},
+      {{2, 1, 0}, {5, 6, 4}, {2, 3, 1}, {5, 7, 6}}};
+  const Surface surface = test::surface_of(soup);
+  Segmentation segmentation = test::one_chart(surface);
+  cut_to_discs(surface, segmentation);
+  test::expect_discs(surface, segmentation);
+}
+
 TEST(Cut_to_discs, Corners_in_one_place)
 {
   // Every corner at the origin: lengths are all zero, topology still counts.

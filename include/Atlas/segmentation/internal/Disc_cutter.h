@@ -54,7 +54,7 @@ public:
   {
     const std::size_t loops = piece_.number_of_border_loops();
     const long long euler = piece_.euler();
-    if (loops == 1 && euler == 1)
+    if (loops == 1 && euler == 1 && !is_border_one_slit())
       return;
     find_costs();
     if (loops == 0)
@@ -64,14 +64,18 @@ public:
     for (unglue(cut);; unglue(cut)) {
       grow_paths_from_border();
       const std::vector<Index> generators = find_generators();
-      if (generators.empty())
-        return;
       chosen_.clear();
+      if (generators.empty())
+        break;
       for (std::size_t i = 0; i < (generators.size() + 1) / 2; ++i) {
         chosen_.push_back(generators[i]);
         append_path(piece_.vertex[generators[i]]);
         append_path(piece_.head(generators[i]));
       }
+    }
+    if (is_border_one_slit()) {
+      append_path(farthest_vertex());
+      unglue(cut);
     }
   }
 
@@ -79,6 +83,12 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   bool is_passable(Index h) const { return piece_.opposite[h] != no_index && !is_diagonal_[h]; }
+
+  /// A sphere with a slit along one edge is a disc, but both sides of the slit have the same two vertices.
+  bool is_border_one_slit() const
+  {
+    return std::count(piece_.opposite.begin(), piece_.opposite.end(), no_index) == 2;
+  }
 
   void find_costs()
   {
