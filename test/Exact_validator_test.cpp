@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include <Atlas/validation/Exact_validator.h>
+
+#include "test_meshes.h"
+#include <gtest/gtest.h>
+#include <random>
+
+namespace Atlas {
+namespace {
+
+using test::chart_of;
+using test::Soup;
+
+const Execution execution;
+
+/// A strip of 1 x n cells, bent in the plane into a ring sector of the given angle; flat in space.
+Chart strip(Index n, double angle, Index rows = 2)
+{
+  Chart chart =
+      chart_of(test::grid(n, rows, [n, rows](double x, double y) { return Point_3(n * x, rows * y, 0); }));
+  for (const Point_3& p : chart.points) {
+    const double phi = angle * p.x() / n, r = n / angle + rows / 2.0 - p.y();
+    chart.uv.emplace_back(r * std::sin(phi), -r * std::cos(phi));
+  }
+  for (Point_2& p : chart.uv)
+    p = Point_2(p.x(), -p.y());
+  for (auto& t : chart.triangles)
+    if (CGAL::orientation(chart.uv[t[0]], chart.uv[t[1]], chart.uv[t[2]]) == CGAL::RIGHT_TURN)
+      std::swap(t[1], t[2]);
+  return chart;
+}
+
+Chart flat_grid(Index n)
+{
+  Chart chart = chart_of(test::planar_grid(n, n));
+  for (const Point_3& p : chart.points)
+    chart.uv.emplace_back(p.x(), p.y());
+  return chart;
+}
+
+/// The triangles of one part, as a chart.
+Chart part_of(const Chart& chart, const std::vector<Index>& parts, Index part)
+{
+  Chart result = chart;
+  result.triangles.clear();
+  result.source.clear();
+  for (Index t = 0; t < parts.size(); ++t)
+    if (parts[t] == part) {
+      result.triangles.push_back(chart.triangles[t]);
+      result.source.push_back(chart.source[t]);
+    }
+  return result;
+}
+
+std::size_t number_of_parts(const std::vector<Index>& parts)
+{
+  const std::set<Index> names(parts.begin(), parts.end());
+  EXPECT_EQ(*names.rbegin() + 1, names.size()); // 0, 1, ... without gaps
+  return names.size();
+}
+
+/// Splits, without flattening again, until every part is accepted. Returns the number of parts, and rounds.
+std::pair<std::size_t, int> split_until_valid(const Chart& chart, const Exact_validator& validator)
+{
+  std::vector<Chart> open{chart};
+  std::size_t accepted = 0;
+  int rounds = 0;
+  for (; !open.empty() && rounds < 100; ++rounds) {
+    std::vector<Chart> next;
+    for (const Chart& c : open) {
+      const Chart_verdict verdict = validator.validate(c, execution);
+      if (verdict.is_valid()) {
+        ++accepted;
+        continue;
+      }
+      EXPECT_FALSE(verdict.culprits.empty());
+      EXPECT_TRUE(std::is_sorted(verdict.culprits.begin(), verdict.culprits.end()));
+      const std::vector<Index> parts = validator.split(c, verdict);
+      EXPECT_EQ(parts.size(), c.number_of_triangles());
+      const std::size_t count = number_of_parts(parts);
+      EXPECT_GE(count, 2u);
+      for (Index p = 0; p < count; ++p)
+        next.push_back(part_of(c, parts, p));
+    }
+    open = std::move(next);
+  }
+  EXPECT_LT(rounds, 100);
+  return {accepted, rounds};
+}
+
+TEST(ExactValidator, AcceptsWhatIsOneToOne)
+{
+  EXPECT_TRUE(Exact_validator().validate(flat_grid(8), execution).is_valid());
+  EXPECT_TRUE(Exact_validator(0).validate(strip(60, 6.2), execution).is_valid());
+}
+
+TEST(ExactValidator, ContactOfTheBorderIsNoOverlap)
+{
+  // A ring that closes up exactly: first and last column of vertices coincide.
+  Chart chart = strip(16, 2 * M_PI, 1);
+  for (Index v = 0; v < chart.points.size(); ++v)
+    if (chart.points[v].x() == 16)
+      for (Index w = 0; w < chart.points.size(); ++w)
+        if (chart.points[w].x() == 0 && chart.points[w].y() == chart.points[v].y())
+          chart.uv[v] = chart.uv[w];
+  EXPECT_TRUE(Exact_validator(0).validate(chart, execution).is_valid());
+}
+
+TEST(ExactValidator, FindsOverlapWithoutFlip)
+{
+  const Chart chart = strip(60, 7);
+  const Chart_verdict verdict = Exact_validator(0).validate(chart, execution);
+  EXPECT_EQ(verdict.status, Chart_status::overlapping);
+  // Only the two ends lie on each other: an angle of 7 - 2 pi on either side.
+  for (const Index t : verdict.culprits) {
+    const double x = chart.points[chart.triangles[t][0]].x();
+    EXPECT_TRUE(x < 8 || x > 52) << x;
+  }
+  EXPECT_GE(verdict.culprits.size(), 12u);
+}
+
+TEST(ExactValidator, FindsAVertexThatIsPassedTwice)
+{
+  // Eight triangles around a vertex that wind around it twice: every triangle is fine, and so is no pair of
+  // neighbours to blame.
+  Soup soup;
+  soup.points.emplace_back(0, 0, 0);
+  for (int i = 0; i < 8; ++i)
+    soup.points.emplace_back(std::cos(i * M_PI / 4), std::sin(i * M_PI / 4), i % 2);
+  for (Index i = 0; i < 8; ++i)
+    soup.polygons.push_back({0, 1 + i, 1 + (i + 1) % 8});
+  Chart chart = chart_of(soup);
+  chart.uv.resize(chart.points.size());
+  for (Index v = 0; v < chart.points.size(); ++v) {
+    const int i = static_cast<int>(std::find(soup.points.begin(), soup.points.end(), chart.points[v]) -
+                                   soup.points.begin());
+    const double phi = (i - 1) * M_PI / 2;
+    chart.uv[v] =
+        i == 0 ? Point_2(0, 0) : Point_2(std::cos(phi) * (1 + 0.1 * i), std::sin(phi) * (1 + 0.1 * i));
+  }
+  EXPECT_EQ(Exact_validator(0).validate(chart, execution).status, Chart_status::overlapping);
+  EXPECT_LE(split_until_valid(chart, Exact_validator(0)).first, 4u);
+}
+
+TEST(ExactValidator, FlippedAndFlatTrianglesAreToBlame)
+{
+  Chart chart = flat_grid(6);
+  const Index middle = 3 * 7 + 3;
+  chart.uv[middle] = Point_2(chart.uv[middle].x() + 0.4, chart.uv[middle].y());
+  Chart_verdict verdict = Exact_validator().validate(chart, execution);
+  EXPECT_EQ(verdict.status, Chart_status::flipped);
+  std::vector<Index> expected;
+  for (Index t = 0; t < chart.number_of_triangles(); ++t) {
+    const auto& [a, b, c] = chart.triangles[t];
+    if (CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]) <= 0)
+      expected.push_back(t);
+  }
+  EXPECT_EQ(verdict.culprits, expected);
+  EXPECT_FALSE(expected.empty());
+
+  chart = flat_grid(1);
+  chart.uv = {Point_2(0, 0), Point_2(1, 0), Point_2(2, 0), Point_2(3, 0)};
+  verdict = Exact_validator().validate(chart, execution);
+  EXPECT_EQ(verdict.status, Chart_status::flipped);
+  EXPECT_EQ(verdict.culprits, (std::vector<Index>{0, 1}));
+}
+
+TEST(ExactValidator, TrianglesWithoutAreaInSpaceMayBeFlatButNotFlipped)
+{
+  Chart chart;
+  chart.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  chart.triangles = {{0, 1, 2}, {2, 3, 0}};
+  chart.source = {0, 1};
+  chart.uv = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
+  EXPECT_TRUE(Exact_validator().validate(chart, execution).is_valid());
+  chart.uv[1] = {1, 0.1}; // clockwise now
+  EXPECT_EQ(Exact_validator().validate(chart, execution).culprits, std::vector<Index>{0});
+  chart.uv[1] = {1, -0.1};
+  EXPECT_TRUE(Exact_validator().validate(chart, execution).is_valid());
+}
+
+TEST(ExactValidator, MeasuresTheAreaRatio)
+{
+  Chart chart = flat_grid(10);
+  for (Point_2& p : chart.uv) // density grows from 1 to 3 in x
+    p = Point_2(p.x() + p.x() * p.x(), p.y());
+  // The outermost triangles reach from x = 0 to 0.1, and from 0.9 to 1: ratio (1 + 1.9) / (1 + 0.1).
+  const double ratio = 2.9 / 1.1;
+  EXPECT_TRUE(Exact_validator(ratio * 1.0001).validate(chart, execution).is_valid());
+  const Chart_verdict verdict = Exact_validator(ratio * 0.9999).validate(chart, execution);
+  EXPECT_EQ(verdict.status, Chart_status::area_ratio_exceeded);
+  EXPECT_EQ(verdict.culprits.size(), 2u);
+  EXPECT_TRUE(Exact_validator(0).validate(chart, execution).is_valid());
+  EXPECT_TRUE(Exact_validator(INFINITY).validate(chart, execution).is_valid());
+  // Without a tenth of the area at either end: columns 1 to 8.
+  EXPECT_TRUE(Exact_validator(2.7 / 1.3 * 1.0001, 0.101).validate(chart, execution).is_valid());
+  EXPECT_FALSE(Exact_validator(2.7 / 1.3 * 0.9999, 0.101).validate(chart, execution).is_valid());
+  // A split by density: a few parts are enough.
+  EXPECT_LE(split_until_valid(chart, Exact_validator(2)).first, 3u);
+}
+
+TEST(ExactValidator, NumbersThatAreMissingOrNotFinite)
+{
+  Chart chart = flat_grid(2);
+  chart.uv[3] = Point_2(NAN, 0);
+  const Chart_verdict verdict = Exact_validator().validate(chart, execution);
+  EXPECT_EQ(verdict.status, Chart_status::solver_failed);
+  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, verdict)), 2u);
+  chart.uv.clear();
+  EXPECT_EQ(Exact_validator().validate(chart, execution).status, Chart_status::solver_failed);
+  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, {Chart_status::not_a_disc, {}})), 2u);
+}
+
+TEST(ExactValidator, AnOverlapOfTheEndsCostsOneCut)
+{
+  const auto [parts, rounds] = split_until_valid(strip(60, 7), Exact_validator(0));
+  EXPECT_EQ(parts, 2u);
+  // Winding twice and a half, it takes three pieces at least.
+  const auto [many, many_rounds] = split_until_valid(strip(200, 15), Exact_validator(0));
+  EXPECT_LE(many, 8u);
+  EXPECT_LE(many_rounds, 6);
+}
+
+TEST(ExactValidator, EverythingEndsInFewRounds)
+{
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    Chart chart = flat_grid(12);
+    for (Point_2& p : chart.uv) // rubbish
+      p = Point_2(double(random()), double(random()));
+    for (auto& t : chart.triangles) // that is nowhere flipped
+      if (CGAL::orientation(chart.uv[t[0]], chart.uv[t[1]], chart.uv[t[2]]) == CGAL::RIGHT_TURN)
+        std::swap(t[1], t[2]);
+    EXPECT_LE(split_until_valid(chart, Exact_validator(0)).second, 40);
+  }
+}
+
+TEST(ExactValidator, SplitsChartsInOneSpotAndInPieces)
+{
+  Chart chart = flat_grid(3);
+  for (Point_3& p : chart.points)
+    p = Point_3(1, 1, 1);
+  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, {Chart_status::solver_failed, {}})), 2u);
+  Chart two =
+      chart_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}});
+  EXPECT_EQ(Exact_validator().split(two, {Chart_status::not_a_disc, {}}), (std::vector<Index>{0, 1}));
+  two.triangles.pop_back();
+  EXPECT_EQ(Exact_validator().split(two, {Chart_status::flipped, {0}}), std::vector<Index>{0});
+}
+
+} // namespace
+} // namespace Atlas

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+atlas_test(overlaps_test)
+atlas_test(Exact_validator_test)
