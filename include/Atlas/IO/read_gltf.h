@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <tiny_gltf.h>
@@ -35,11 +36,17 @@ public:
     std::string error, warning;
     const std::string folder = path.parent_path().string();
     const auto size = static_cast<unsigned>(bytes.size());
-    const bool is_loaded =
-        bytes.substr(0, 4) == "glTF"
-            ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-            : loader.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), size, folder);
+    bool is_loaded = false;
+    try {
+      const auto* const data = bytes.data();
+      is_loaded =
+          bytes.substr(0, 4) == "glTF"
+              ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
+                                            reinterpret_cast<const unsigned char*>(data), size, folder)
+              : loader.LoadASCIIFromString(&model_, &error, &warning, data, size, folder);
+    } catch (const std::exception& exception) { // of the JSON parser below tinygltf
+      fail(one_line(exception.what()));
+    }
     if (!is_loaded)
       fail(error.empty() ? "not a glTF file" : one_line(error));
     for (const std::string& extension : model_.extensionsRequired)

@@ -5,15 +5,14 @@
 #include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/internal/Binary_scanner.h>
 #include <Atlas/IO/internal/Text_scanner.h>
+#include <Atlas/IO/internal/index_uv.h>
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 namespace Atlas {
 
@@ -23,39 +22,27 @@ namespace internal {
 class Vertex_table
 {
 public:
-  explicit Vertex_table(Polygon_soup& soup) : soup_(soup) {}
+  Vertex_table(Polygon_soup& soup, std::size_t expected) : soup_(soup), table_(expected) {}
 
   void add_corner(double x, double y, double z)
   {
     // Adding zero turns -0 into 0, which is the same place.
-    const Key key{std::bit_cast<std::uint64_t>(x + 0.0), std::bit_cast<std::uint64_t>(y + 0.0),
-                  std::bit_cast<std::uint64_t>(z + 0.0)};
-    const auto [it, is_new] = numbers_.try_emplace(key, static_cast<Index>(soup_.points.size()));
-    if (is_new)
+    const Index v = table_({std::bit_cast<std::uint64_t>(x + 0.0), std::bit_cast<std::uint64_t>(y + 0.0),
+                            std::bit_cast<std::uint64_t>(z + 0.0)});
+    if (v == soup_.points.size())
       soup_.points.emplace_back(x, y, z);
-    soup_.vertices.push_back(it->second);
+    soup_.vertices.push_back(v);
   }
 
 private:
-  using Key = std::array<std::uint64_t, 3>;
-  struct Hash
-  {
-    std::size_t operator()(const Key& key) const
-    {
-      std::uint64_t h = 0;
-      for (const std::uint64_t k : key)
-        h = (h ^ k ^ (k >> 29)) * 0x9E3779B97F4A7C15u;
-      return static_cast<std::size_t>(h ^ (h >> 32));
-    }
-  };
   Polygon_soup& soup_;
-  std::unordered_map<Key, Index, Hash> numbers_;
+  Row_table<3> table_;
 };
 
 inline Polygon_soup read_binary_stl(std::string_view bytes, const std::string& file_name)
 {
   Polygon_soup soup;
-  Vertex_table table(soup);
+  Vertex_table table(soup, bytes.size() / 100);
   Binary_scanner scanner(bytes, file_name, std::endian::little);
   scanner.skip(80, "the header");
   const auto n = scanner.get<std::uint32_t>("the number of triangles");
@@ -74,7 +61,7 @@ inline Polygon_soup read_binary_stl(std::string_view bytes, const std::string& f
 inline Polygon_soup read_ascii_stl(std::string_view text, const std::string& file_name)
 {
   Polygon_soup soup;
-  Vertex_table table(soup);
+  Vertex_table table(soup, text.size() / 500);
   Text_scanner scanner(text, file_name, Text_scanner::plain);
   bool is_in_loop = false;
   while (scanner.next_filled_line()) {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IO_WRITE_OBJ_H
+#define ATLAS_IO_WRITE_OBJ_H
+
+#include <Atlas/IO/Polygon_soup.h>
+#include <Atlas/IO/internal/Output_file.h>
+#include <Atlas/IO/internal/index_uv.h>
+#include <Atlas/IO/internal/number_text.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace Atlas {
+
+/// The name of the material of faces that have none.
+inline constexpr const char* default_material_name = "atlas";
+
+namespace internal {
+
+inline void append_statement(std::string& text, const char* keyword, std::initializer_list<double> numbers)
+{
+  text += keyword;
+  for (const double x : numbers) {
+    text += ' ';
+    append_number(text, x);
+  }
+  text += '\n';
+}
+
+inline void append_vertices(std::string& text, const Polygon_soup& soup)
+{
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    const Point_3& p = soup.points[v];
+    if (soup.colors.empty()) {
+      append_statement(text, "v", {p.x(), p.y(), p.z()});
+      continue;
+    }
+    append_statement(text, "v", {p.x(), p.y(), p.z()});
+    text.pop_back();
+    for (int k = 0; k < (soup.colors[v][3] < 1 ? 4 : 3); ++k) {
+      text += ' ';
+      append_number(text, soup.colors[v][k]);
+    }
+    text += '\n';
+  }
+}
+
+/// Indices that do not exist come out as they came in; `no_index` as 0.
+inline void append_face(std::string& text, const Polygon_soup& soup, const std::vector<Index>& texture,
+                        std::size_t f)
+{
+  text += 'f';
+  for (std::size_t c = soup.first[f]; c < soup.first[f + 1]; ++c) {
+    const Index t = texture.empty() ? no_index : texture[c];
+    const Index n = soup.corner_normal.empty() ? no_index : soup.corner_normal[c];
+    text += ' ';
+    append_number(text, static_cast<Index>(soup.vertices[c] + 1));
+    if (t != no_index || n != no_index)
+      text += '/';
+    if (t != no_index)
+      append_number(text, t + 1);
+    if (n != no_index) {
+      text += '/';
+      append_number(text, n + 1);
+    }
+  }
+  text += '\n';
+}
+
+} // namespace internal
+
+/// \brief The text of an OBJ file: the same vertices, faces and corners in the same order, with texture
+/// coordinates, normals, colours, groups and materials where the soup has them.
+///
+/// Every number is written with as many digits as it takes to read exactly the same double. Equal coordinates
+/// are written once. \param material_library the name of the MTL file, beside the OBJ file; empty: none
+inline std::string obj_text(const Polygon_soup& soup, const std::string& material_library)
+{
+  std::string text = "# written by Atlas\n";
+  if (!material_library.empty())
+    text += "mtllib " + material_library + '\n';
+  text.reserve(60 * soup.points.size() + 40 * soup.number_of_corners());
+  internal::append_vertices(text, soup);
+  const internal::Indexed_uv uv = internal::index_uv(soup.uv);
+  for (const Point_2& p : uv.points)
+    internal::append_statement(text, "vt", {p.x(), p.y()});
+  for (const Vector_3& n : soup.normals)
+    internal::append_statement(text, "vn", {n.x(), n.y(), n.z()});
+
+  Index group = no_index, material = no_index;
+  if (!material_library.empty())
+    text += std::string("usemtl ") + default_material_name + '\n';
+  for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
+    if (!soup.face_group.empty() && soup.face_group[f] != group) {
+      group = soup.face_group[f];
+      text += "g " + (group == no_index ? "default" : soup.group_names[group]) + '\n';
+    }
+    if (!soup.face_material.empty() && soup.face_material[f] != material) {
+      material = soup.face_material[f];
+      text +=
+          "usemtl " + (material == no_index ? default_material_name : soup.material_names[material]) + '\n';
+    }
+    internal::append_face(text, soup, uv.corner, f);
+  }
+  return text;
+}
+
+/// \brief The text of an MTL file in which every material of the soup, and the default one, shows the
+/// texture. \param texture file name of the picture, as seen from the folder of the MTL file
+inline std::string mtl_text(const Polygon_soup& soup, const std::string& texture)
+{
+  std::string text = "# written by Atlas\n";
+  const auto append = [&](const std::string& name) {
+    text += "newmtl " + name + "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + texture + '\n';
+  };
+  append(default_material_name);
+  for (const std::string& name : soup.material_names)
+    if (name != default_material_name)
+      append(name);
+  return text;
+}
+
+/// \brief Writes an OBJ file, and beside it an MTL file of the same stem that names the texture.
+/// Either both files appear whole, or none.
+/// \throw IO_error
+inline void write_obj(const std::filesystem::path& path, const Polygon_soup& soup, const std::string& texture)
+{
+  std::filesystem::path library = path;
+  library.replace_extension(".mtl");
+  internal::Output_files files;
+  files.add(library, mtl_text(soup, texture));
+  files.add(path, obj_text(soup, library.filename().string()));
+  files.commit();
+}
+
+/// \brief Writes an OBJ file without material. \throw IO_error
+inline void write_obj(const std::filesystem::path& path, const Polygon_soup& soup)
+{
+  internal::write_whole_file(path, obj_text(soup, ""));
+}
+
+} // namespace Atlas
+
+#endif
