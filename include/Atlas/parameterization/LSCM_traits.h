@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PARAMETERIZATION_LSCM_TRAITS_H
+#define ATLAS_PARAMETERIZATION_LSCM_TRAITS_H
+
+#include <Atlas/Execution.h>
+#include <Atlas/parameterization/internal/border.h>
+#include <Atlas/parameterization/internal/conformal_energy.h>
+#include <Atlas/parameterization/internal/hermitian_ldlt.h>
+
+#include <concepts>
+#include <vector>
+
+namespace Atlas {
+
+/// \brief A vertex whose image is given.
+struct LSCM_pin
+{
+  Index vertex;
+  Point_2 uv; ///< in the unit of the model
+};
+
+/// \brief The linear problem of LSCM as solvers see it: minimise the energy over the free vertices.
+///
+/// `column[v]` is the number of vertex v among the free ones, or `no_index` for a pinned vertex.
+struct LSCM_system
+{
+  const internal::Conformal_energy& energy;
+  std::vector<Index> column;
+  std::size_t number_of_columns = 0;
+};
+
+/// \brief Solves H_ff x = b, H_ff being the block of the conformal energy's matrix of the free vertices.
+template <typename S>
+concept LSCMSolver = std::default_initializable<S> &&
+    requires(S& solver, const LSCM_system& system, std::vector<internal::Complex>& b,
+             const Execution& execution)
+{
+  /// Prepares for any number of right-hand sides; `false` if that is not possible.
+  {
+    solver.factorize(system, execution)
+    } -> std::same_as<bool>;
+  /// Replaces b by the solution; `false` if none is found.
+  {
+    solver.solve(b)
+    } -> std::same_as<bool>;
+};
+
+/// \brief What LSCM leaves open: the sparse solver (and in it the number type), and the pins.
+///
+/// `pins()` returns the vertices whose images are given, any number >= 2 of them at two places at least; or
+/// none, which stands for two border vertices far apart, with coordinates scaled so that the chart keeps its
+/// area.
+template <typename T>
+concept LSCMTraits = LSCMSolver<typename T::Solver> && requires(const T& traits, const Chart& chart)
+{
+  typename T::Number_type;
+  {
+    traits.pins(chart)
+    } -> std::convertible_to<std::vector<LSCM_pin>>;
+};
+
+/// \brief The default traits: complex LDLT on Eigen alone.
+class Eigen_LSCM_traits
+{
+public:
+  using Number_type = double;
+  using Solver = internal::Hermitian_LDLT<Number_type>;
+
+  Eigen_LSCM_traits() = default;
+  /// Pins for the one chart that will be flattened.
+  explicit Eigen_LSCM_traits(std::vector<LSCM_pin> pins) : pins_(std::move(pins)) {}
+
+  const std::vector<LSCM_pin>& pins(const Chart&) const { return pins_; }
+
+private:
+  std::vector<LSCM_pin> pins_;
+};
+
+} // namespace Atlas
+
+#endif

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+atlas_test(LSCM_parameterizer_test)
