@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+atlas_test(variational_segmentation_test)
