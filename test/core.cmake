@@ -1,3 +1,4 @@
 # SPDX-License-Identifier: MIT
 atlas_test(build_surface_test)
 atlas_test(measure_test)
+atlas_test(generate_atlas_test)

@@ -2,6 +2,7 @@
 #ifndef ATLAS_EXECUTION_H
 #define ATLAS_EXECUTION_H
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -11,6 +12,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -34,7 +36,10 @@ public:
       : state_(std::make_shared<State>()), callback_(std::move(callback))
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    state_->arena.initialize(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+    // More threads than cores gain nothing, and TBB complains about them on the console.
+    const int cores = tbb::info::default_concurrency();
+    state_->arena.initialize(threads == 0 ? cores
+                                          : std::min(static_cast<int>(std::min(threads, 1u << 16)), cores));
     state_->threads = static_cast<unsigned>(state_->arena.max_concurrency());
 #else
     (void)threads;

@@ -70,8 +70,8 @@ struct Surface
   const Point_3& point(Index halfedge) const { return points[triangles[halfedge / 3][halfedge % 3]]; }
 
   /// Whether the halfedge is inside an input polygon; such an edge can never be a seam. Where a polygon
-  /// touches itself along an edge of its own (the bridge to a hole), the corners on either side differ, and it
-  /// can.
+  /// touches itself along an edge of its own (the bridge to a hole), the corners on either side differ, and
+  /// it can.
   bool is_diagonal(Index h) const
   {
     const Index o = opposite[h];

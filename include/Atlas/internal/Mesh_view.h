@@ -135,6 +135,23 @@ void write_edge_seams(const FaceListGraph& mesh, const Mesh_view<FaceListGraph>&
 }
 
 template <typename FaceListGraph>
+std::vector<Index> read_face_numbers(const Mesh_view<FaceListGraph>&, Param_not_found)
+{
+  return {};
+}
+
+/// The number of every face of the input; empty when there is no map.
+template <typename FaceListGraph, typename FaceMap>
+std::vector<Index> read_face_numbers(const Mesh_view<FaceListGraph>& view, FaceMap map)
+{
+  std::vector<Index> numbers;
+  numbers.reserve(view.faces.size());
+  for (const auto f : view.faces)
+    numbers.push_back(static_cast<Index>(get(map, f)));
+  return numbers;
+}
+
+template <typename FaceListGraph>
 void write_face_numbers(const Mesh_view<FaceListGraph>&, const std::vector<Index>&, Param_not_found)
 {}
 
