@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_WHOLE_SURFACE_H
+#define ATLAS_SEGMENTATION_INTERNAL_WHOLE_SURFACE_H
+
+#include <Atlas/Surface.h>
+#include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/segmentation/internal/triangle_geometry.h>
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Whether a chart may go on across the halfedge: not over borders, patch borders and wanted seams.
+inline bool may_cross(const Surface& surface, Index h)
+{
+  const Index o = surface.opposite[h];
+  if (o == no_index || o / 3 == h / 3)
+    return false;
+  if (surface.is_diagonal(h))
+    return true;
+  return (surface.patch.empty() || surface.patch[h / 3] == surface.patch[o / 3]) &&
+         (surface.constraint.empty() || surface.constraint[h] != Edge_constraint::seam);
+}
+
+/// Whether the user wants no seam at the halfedge, or there can be none.
+inline bool must_not_cut(const Surface& surface, Index h)
+{
+  return surface.is_diagonal(h) ||
+         (!surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam);
+}
+
+/// The connectivity of the whole surface, open at borders, patch borders and wanted seams. Local numbers are
+/// those of the surface.
+inline Piece whole_surface(const Surface& surface)
+{
+  std::vector<Index> all(surface.number_of_triangles()), local(surface.number_of_triangles());
+  std::iota(all.begin(), all.end(), Index(0));
+  return make_piece(
+      surface, std::move(all), [&](Index h) { return may_cross(surface, h); }, local);
+}
+
+/// Per triangle, the unit normal of its input face.
+inline std::vector<Vector_3> face_normals(const Surface& surface)
+{
+  std::vector<Vector_3> sum(surface.number_of_faces, Vector_3(0, 0, 0));
+  for (Index t = 0; t < surface.number_of_triangles(); ++t)
+    sum[surface.face[t]] = sum[surface.face[t]] + triangle_area(surface, t) * unit_normal(surface, t);
+  std::vector<Vector_3> normals(surface.number_of_triangles());
+  for (Index t = 0; t < normals.size(); ++t) {
+    const Vector_3& n = sum[surface.face[t]];
+    const double length = std::sqrt(n.squared_length());
+    normals[t] = length > 0 ? n / length : unit_normal(surface, t);
+  }
+  return normals;
+}
+
+} // namespace Atlas::internal
+
+#endif
