@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The properties that section 2.6 and the appendix of the LSCM paper prove, on the code.
 #include <Atlas/concepts.h>
+#include <Atlas/parameterization/Conjugate_gradient_LSCM_traits.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 
 #include <Eigen/Dense>
@@ -13,6 +14,7 @@ using namespace Atlas;
 using Complex = std::complex<double>;
 
 static_assert(LSCMTraits<Eigen_LSCM_traits>);
+static_assert(LSCMTraits<Conjugate_gradient_LSCM_traits>);
 static_assert(ChartParameterizer<LSCM_parameterizer<>>);
 
 struct Traits_without_pins
@@ -263,6 +265,17 @@ TEST(LSCM, the_result_scales_with_the_model_and_keeps_the_area)
       EXPECT_NEAR(scaled.uv[v].y() / scale, reference.uv[v].y(), 1e-10);
     }
   }
+}
+
+TEST(LSCM, conjugate_gradients_on_the_papers_matrix_agree)
+{
+  const Chart expected = flattened(wavy());
+  Chart chart = wavy();
+  LSCM_record record;
+  const LSCM_parameterizer<Conjugate_gradient_LSCM_traits> lscm;
+  ASSERT_EQ(lscm.parameterize(chart, Execution(), record), Chart_status::valid);
+  for (Index v = 0; v < chart.uv.size(); ++v)
+    EXPECT_LT((chart.uv[v] - expected.uv[v]).squared_length(), 1e-20);
 }
 
 TEST(LSCM, degenerate_triangles_do_not_spoil_their_neighbours)

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: MIT
 atlas_test(LSCM_parameterizer_test)
+atlas_test(Tutte_parameterizer_test)
