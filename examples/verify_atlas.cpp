@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Proves, or disproves, that the texture coordinates of a mesh file are a valid atlas, whoever made them.
+#include <Atlas/IO/draw_atlas.h>
+#include <Atlas/IO/read_polygon_soup.h>
+#include <Atlas/IO/write_png.h>
+#include <Atlas/build_surface.h>
+#include <Atlas/validation/certify.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+enum Exit_code { VALID = 0, NOT_VALID = 1, COULD_NOT_TELL = 2 };
+
+struct Arguments
+{
+  std::string file, picture;
+  Atlas::Certificate_options certificate;
+  unsigned threads = 0;
+  bool is_json = false;
+};
+
+/// Distances and densities of nothing are infinite, which JSON has no word for: null.
+nlohmann::ordered_json number(double x)
+{
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json to_json(const Atlas::Atlas_certificate& c)
+{
+  return {{"valid", c.is_valid()},
+          {"message", Atlas::message(c)},
+          {"faces", c.faces},
+          {"triangles", c.triangles},
+          {"rejected_faces", c.rejected_faces},
+          {"texture_size", {c.width, c.height}},
+          {"not_finite", c.not_finite},
+          {"flipped", c.flipped},
+          {"degenerate", c.degenerate},
+          {"corners_outside", c.corners_outside},
+          {"overlap_free", c.is_overlap_free},
+          {"overlaps_in_charts", c.overlaps_in_charts},
+          {"overlaps_between_charts", c.overlaps_between_charts},
+          {"overlaps_complete", c.are_overlaps_complete},
+          {"charts", c.charts},
+          {"non_disc_charts", c.non_disc_charts},
+          {"mirrored_charts", c.mirrored_charts},
+          {"seam_length", number(c.seam_length)},
+          {"gutter", c.gutter},
+          {"chart_distance", number(c.chart_distance)},
+          {"page_border_distance", number(c.page_border_distance)},
+          {"density_min", number(c.density_min)},
+          {"density_max", number(c.density_max)},
+          {"culprits", c.culprits},
+          {"culprits_complete", c.are_culprits_complete}};
+}
+
+void print(const Atlas::Atlas_certificate& c)
+{
+  const auto row = [](const char* name, const auto& value) { std::cout << "  " << name << value << '\n'; };
+  std::cout << (c.is_valid() ? "valid" : "NOT VALID: " + Atlas::message(c)) << '\n';
+  row("faces                        ", c.faces);
+  row("  rejected                   ", c.rejected_faces);
+  row("triangles                    ", c.triangles);
+  row("  without coordinates        ", c.not_finite);
+  row("  flipped                    ", c.flipped);
+  row("  flat                       ", c.degenerate);
+  row("overlapping pairs in charts  ", c.overlaps_in_charts);
+  row("  between charts             ", c.overlaps_between_charts);
+  row("corners outside of the page  ", c.corners_outside);
+  row("charts                       ", c.charts);
+  row("  that are no discs          ", c.non_disc_charts);
+  row("  mirrored                   ", c.mirrored_charts);
+  row("seam length                  ", c.seam_length);
+  row("distance of charts, texels   ", c.chart_distance);
+  row("  to the border of the page  ", c.page_border_distance);
+  row("texels per unit, smallest    ", c.density_min);
+  row("  largest                    ", c.density_max);
+}
+
+int run(const Arguments& arguments)
+{
+  const Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
+  if (soup.uv.empty())
+    throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
+  const Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
+  const Atlas::Atlas_certificate certificate =
+      Atlas::certify(surface, soup.uv, {}, arguments.certificate, Atlas::Execution(arguments.threads));
+  if (!arguments.picture.empty())
+    Atlas::write_png(arguments.picture,
+                     Atlas::draw_atlas(soup, certificate.face_chart, 1024, certificate.culprits));
+  if (arguments.is_json)
+    std::cout << to_json(certificate).dump(2) << '\n';
+  else
+    print(certificate);
+  if (!std::cout.flush())
+    throw Atlas::IO_error("cannot write the certificate: standard output is closed or full");
+  return certificate.is_valid() ? VALID : NOT_VALID;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  Atlas::Index texture_size = Atlas::default_texture_size;
+  CLI::App app("Verifies the texture coordinates of a mesh file.\n"
+               "Exit code: 0 valid, 1 not valid, 2 could not tell (bad file, wrong option).");
+  app.add_option("FILE", arguments.file, "OBJ with vt, PLY or glTF")->required();
+  app.add_option("--texture-size", texture_size, "side of the page in texels")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option("--gutter", arguments.certificate.gutter,
+                 "texels that charts have to keep from each other; half of it from the border of the page")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--precision", arguments.certificate.precision,
+                 "how coordinates are stored where they are used: they are rounded first")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Atlas::Uv_precision>{{"single", Atlas::Uv_precision::single_precision},
+                                                     {"double", Atlas::Uv_precision::double_precision}}));
+  app.add_option("--threads", arguments.threads, "0: all cores")->capture_default_str();
+  app.add_option("--picture", arguments.picture, "PNG of the page, faces to blame in red");
+  app.add_flag("--json", arguments.is_json, "print JSON");
+  try {
+    app.parse(argc, argv);
+    arguments.certificate.width = arguments.certificate.height = texture_size;
+    return run(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? VALID : COULD_NOT_TELL;
+  } catch (const std::exception& error) {
+    std::cerr << "verify_atlas: " << error.what() << '\n';
+    return COULD_NOT_TELL;
+  }
+}
