@@ -4,6 +4,7 @@
 #include <Atlas/IO/draw_atlas.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/render_model.h>
+#include <Atlas/IO/start_polygons_at_fans.h>
 #include <Atlas/IO/write_obj.h>
 #include <Atlas/IO/write_png.h>
 #include <Atlas/IO/write_report.h>
@@ -263,6 +264,7 @@ int run(const Options& options)
 
   const Stopwatch writing;
   model.uv = std::move(uv);
+  start_polygons_at_fans(surface, model);
   Atlas::Json json = {{"mesh", options.mesh}, {"vertices", model.points.size()}};
   json.update(to_json(report));
   const std::vector<std::string> names = write_outputs(options, model, report, json);
