@@ -3,8 +3,8 @@
 
 # What the example needs, what the tests need besides, what the checks of the source need besides.
 ATLAS_EXAMPLE_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev
-                        libpng-dev libcli11-dev nlohmann-json3-dev)
-ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libtinygltf-dev libstb-dev)
+                        libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev)
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev)
 ATLAS_CHECK_PACKAGES=(clang-format)
 
 say() { printf '\n== %s\n' "$*" >&2; }
