@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_DISTORTION_BOUND_H
+#define ATLAS_SEGMENTATION_DISTORTION_BOUND_H
+
+#include <Atlas/measure/distortion.h>
+
+#include <limits>
+
+namespace Atlas {
+
+/// What a bound on the distortion of a chart is about. All are at least 1, and 1 is best.
+enum class Distortion_measure {
+  symmetric_dirichlet,  ///< mean of (s1^2 + s2^2 + 1/s1^2 + 1/s2^2) / 4: both angles and areas
+  l2_stretch,           ///< root mean square stretch (Sander et al. 2001)
+  linf_stretch,         ///< largest stretch (Sander et al. 2001)
+  area_ratio,           ///< largest over smallest density of area, of all triangles
+  area_ratio_quantiles, ///< the same between the quantiles of 99 % and 1 % of the area
+  quasi_conformal       ///< mean s1 / s2: angles only
+};
+
+/// The named figure; infinite where nothing could be measured.
+inline double value(const Distortion& d, Distortion_measure measure)
+{
+  if (d.triangles == 0)
+    return std::numeric_limits<double>::infinity();
+  switch (measure) {
+  case Distortion_measure::symmetric_dirichlet:
+    return d.symmetric_dirichlet_mean;
+  case Distortion_measure::l2_stretch:
+    return d.l2_stretch;
+  case Distortion_measure::linf_stretch:
+    return d.linf_stretch;
+  case Distortion_measure::area_ratio:
+    return d.area_max / d.area_min;
+  case Distortion_measure::area_ratio_quantiles:
+    return d.area_p99 / d.area_p1;
+  case Distortion_measure::quasi_conformal:
+    return d.quasi_conformal_mean;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+} // namespace Atlas
+
+#endif

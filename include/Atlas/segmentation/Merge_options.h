@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_MERGE_OPTIONS_H
+#define ATLAS_SEGMENTATION_MERGE_OPTIONS_H
+
+#include <Atlas/segmentation/Distortion_bound.h>
+
+#include <cstddef>
+
+namespace Atlas {
+
+/// \brief When charts may merge.
+struct Merge_options
+{
+  /// What is bounded.
+  Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
+  /// The bound of each chart that comes from merging, as flattened on the coarse surface.
+  double max_distortion = 1.03;
+  /// Charts get no larger than this share of the surface's area, or pages would not pack ...
+  double max_area_share = 0.25;
+  /// ... unless they fill this share of their convex hull.
+  double solidity_of_large_charts = 0.85;
+  /// Charts that come from merging fill at least this share of their convex hull.
+  double min_solidity = 0.7;
+  /// Charts do not merge if their common border differs more between their layouts: root mean square
+  /// distance after rigid alignment over the square root of the area.
+  double max_misfit = 0.12;
+  /// About how many triangles each chart has on the coarse surface on which charts are flattened for trial.
+  double triangles_per_chart = 80;
+  /// Charts whose union has more triangles on the coarse surface do not merge: this bounds the cost of a
+  /// trial.
+  std::size_t max_trial_triangles = 5000;
+  /// Pairs of charts that are tried at a time, and maybe in parallel. Part of the result: not a number of
+  /// threads.
+  std::size_t batch = 8;
+};
+
+} // namespace Atlas
+
+#endif

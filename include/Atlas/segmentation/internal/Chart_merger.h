@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_CHART_MERGER_H
+#define ATLAS_SEGMENTATION_INTERNAL_CHART_MERGER_H
+
+#include <Atlas/Chart.h>
+#include <Atlas/Execution.h>
+#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/segmentation/Merge_options.h>
+#include <Atlas/segmentation/internal/Coarse_surface.h>
+#include <Atlas/segmentation/internal/Union_find.h>
+#include <Atlas/segmentation/internal/layout_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// \brief Merges the charts of a coarse surface along runs of arcs.
+///
+/// The border of each chart is a cyclic list of sides of arcs. Two discs glued along one run of consecutive
+/// arcs are a disc again; arcs that they share elsewhere stay open as slits, which are zipped from their tips
+/// later. `Flatten` is `Chart_status(Chart&)`; it is called for several charts at a time.
+template <typename Flatten>
+class Chart_merger
+{
+public:
+  Chart_merger(const Coarse_surface& surface, const Chart_arcs& arcs, Index charts, const Merge_options& options,
+               const Flatten& flatten, const Execution& execution)
+      : surface_(surface), options_(options), flatten_(flatten), execution_(execution),
+        is_barrier_(arcs.is_barrier), roots_(charts), local_(surface.triangles.size()),
+        place_(surface.triangles.size())
+  {
+    take_arcs();
+    take_parts(charts);
+  }
+
+  void run()
+  {
+    flatten_parts();
+    // One sweep, the slits, and once more what was refused while charts were other ones.
+    for (int sweep = 0; sweep < 2 && execution_.proceed(0.2 + 0.4 * sweep); ++sweep) {
+      is_refused_.assign(is_barrier_.size(), 0);
+      for (Index p = 0; p < parts_.size(); ++p)
+        if (roots_.find(p) == p)
+          push_runs(p);
+      merge();
+      zip();
+    }
+  }
+
+  Index chart_of(Index chart) { return roots_.find(chart); }
+  bool is_glued(Index arc) const { return is_glued_[arc] != 0; }
+
+private:
+  struct Part
+  {
+    std::vector<Index> triangles;
+    Chart layout; ///< flat; empty if that failed
+    double area = 0, perimeter = 0;
+    Index side = no_index; ///< one of its border
+    Index version = 0;
+  };
+
+  struct Entry
+  {
+    double priority;
+    Index side, version, other_version;
+    bool operator<(const Entry& o) const
+    {
+      return std::tie(priority, o.side, version, other_version) <
+             std::tie(o.priority, side, o.version, o.other_version);
+    }
+  };
+
+  struct Candidate
+  {
+    Index part, other; ///< equal: a slit
+    std::vector<Index> run; ///< sides of `part`, in its order
+    Chart layout;
+    bool is_accepted = false;
+  };
+
+  // --- Setting up
+
+  void take_arcs()
+  {
+    const std::size_t sides = 2 * is_barrier_.size();
+    next_.assign(sides, no_index);
+    previous_.assign(sides, no_index);
+    owner_.assign(sides, no_index);
+    first_halfedge_.assign(sides, no_index);
+    length_.assign(is_barrier_.size(), 0);
+    is_glued_.assign(is_barrier_.size(), 0);
+    is_on_trial_.assign(is_barrier_.size(), 0);
+    for (Index h = 0; h < surface_.side.size(); ++h) {
+      const Index s = surface_.side[h];
+      if (s == no_index)
+        continue;
+      owner_[s] = surface_.chart[h / 3];
+      if (s % 2 == 0)
+        length_[s / 2] +=
+            std::sqrt(CGAL::squared_distance(point(h), point(next_halfedge(h))));
+      if (is_last_on_side(h)) {
+        const Index g = next_on_side(h), r = surface_.side[g];
+        next_[s] = r;
+        previous_[r] = s;
+        first_halfedge_[r] = g;
+      }
+    }
+  }
+
+  const Point_3& point(Index h) const { return surface_.points[surface_.triangles[h / 3][h % 3]]; }
+
+  void take_parts(Index charts)
+  {
+    parts_.resize(charts);
+    for (Index t = 0; t < surface_.chart.size(); ++t) {
+      Part& part = parts_[surface_.chart[t]];
+      part.triangles.push_back(t);
+      part.area += std::sqrt(CGAL::squared_area(point(3 * t), point(3 * t + 1), point(3 * t + 2)));
+    }
+    for (Index s = 0; s < owner_.size(); ++s)
+      if (owner_[s] != no_index) {
+        Part& part = parts_[owner_[s]];
+        part.side = std::min(part.side, s);
+        part.perimeter += length_[s / 2];
+      }
+    for (const Part& part : parts_)
+      whole_area_ += part.area;
+  }
+
+  void flatten_parts()
+  {
+    execution_.for_each(parts_.size(), [&](std::size_t p) {
+      Chart chart = extract(parts_[p].triangles);
+      if (flatten_(chart) == Chart_status::valid)
+        keep_layout(parts_[p], std::move(chart));
+    });
+  }
+
+  // --- Trials
+
+  bool is_open(Index h) const
+  {
+    const Index s = surface_.side[h];
+    return s == no_index ? false : !is_glued_[s / 2] && !is_on_trial_[s / 2];
+  }
+
+  /// Copies triangles out as `extract_chart()` does.
+  Chart extract(const std::vector<Index>& triangles)
+  {
+    Chart chart;
+    chart.source = triangles;
+    chart.triangles.assign(triangles.size(), {no_index, no_index, no_index});
+    for (Index i = 0; i < triangles.size(); ++i)
+      local_[triangles[i]] = i;
+    const auto slot = [&](Index h) -> Index& { return chart.triangles[local_[h / 3]][h % 3]; };
+    for (const Index t : triangles)
+      for (Index start = 3 * t; start < 3 * t + 3; ++start) {
+        if (slot(start) != no_index)
+          continue;
+        const Index vertex = static_cast<Index>(chart.points.size());
+        chart.points.push_back(point(start));
+        bool closed = false;
+        for (Index h = start; !closed;) {
+          slot(h) = vertex;
+          const Index before = previous_halfedge(h);
+          if (is_open(before))
+            break;
+          h = surface_.opposite[before];
+          closed = h == start;
+        }
+        for (Index h = start; !closed && !is_open(h);) {
+          h = next_halfedge(surface_.opposite[h]);
+          slot(h) = vertex;
+        }
+      }
+    return chart;
+  }
+
+  void keep_layout(Part& part, Chart layout)
+  {
+    for (Index i = 0; i < part.triangles.size(); ++i)
+      place_[part.triangles[i]] = i;
+    part.layout = std::move(layout);
+  }
+
+  /// Where the halfedge starts in the layout of its part.
+  const Point_2& uv(const Chart& layout, Index h) const
+  {
+    return layout.uv[layout.triangles[place_[h / 3]][h % 3]];
+  }
+
+  /// Whether the borders of the two layouts differ too much along the run to be glued.
+  bool fits(const Candidate& c) const
+  {
+    const Chart &a = parts_[c.part].layout, &b = parts_[c.other].layout;
+    if (a.uv.empty() || b.uv.empty())
+      return true;
+    std::vector<Point_2> p, q;
+    for (const Index s : c.run)
+      for (Index h = first_halfedge_[s];; h = next_on_side(h)) {
+        const Index o = surface_.opposite[h];
+        p.push_back(uv(a, h));
+        q.push_back(uv(b, next_halfedge(o)));
+        if (is_last_on_side(h)) {
+          if (s == c.run.back()) {
+            p.push_back(uv(a, next_halfedge(h)));
+            q.push_back(uv(b, o));
+          }
+          break;
+        }
+      }
+    const double size = std::sqrt(parts_[c.part].area + parts_[c.other].area);
+    return chain_misfit(p, q) <= options_.max_misfit * size;
+  }
+
+  Index next_on_side(Index h) const
+  {
+    return next_on_border(surface_.opposite, h, [&](Index g) { return surface_.side[g] != no_index; });
+  }
+  bool is_last_on_side(Index h) const
+  {
+    const Index g = next_halfedge(h);
+    return surface_.is_fixed[surface_.triangles[g / 3][g % 3]];
+  }
+
+  /// What can be told without flattening.
+  bool is_promising(const Candidate& c) const
+  {
+    const Part &a = parts_[c.part], &b = parts_[c.other];
+    if (c.part != c.other && a.triangles.size() + b.triangles.size() > options_.max_trial_triangles)
+      return false;
+    return c.part == c.other || fits(c);
+  }
+
+  void attempt(Candidate& c)
+  {
+    std::vector<Index> triangles = parts_[c.part].triangles;
+    if (c.part != c.other)
+      triangles.insert(triangles.end(), parts_[c.other].triangles.begin(), parts_[c.other].triangles.end());
+    c.layout = extract(triangles);
+    c.is_accepted = flatten_(c.layout) == Chart_status::valid && is_acceptable(c);
+  }
+
+  bool is_acceptable(const Candidate& c) const
+  {
+    const Chart& chart = c.layout;
+    const Distortion distortion = measure_distortion(chart);
+    if (!(value(distortion, options_.measure) <= options_.max_distortion))
+      return false;
+    std::vector<Edge_2> border;
+    std::vector<Point_2> points;
+    for (Index i = 0; i < chart.triangles.size(); ++i) {
+      const auto& [u, v, w] = chart.triangles[i];
+      if (CGAL::orientation(chart.uv[u], chart.uv[v], chart.uv[w]) != CGAL::LEFT_TURN &&
+          CGAL::squared_area(chart.points[u], chart.points[v], chart.points[w]) > 0)
+        return false;
+      for (Index k = 0; k < 3; ++k)
+        if (is_open(3 * chart.source[i] + k)) {
+          border.emplace_back(chart.uv[chart.triangles[i][k]], chart.uv[chart.triangles[i][(k + 1) % 3]]);
+          points.push_back(border.back().first);
+        }
+    }
+    const double solidity = area_uv(chart) / hull_area(std::move(points));
+    const double share = (parts_[c.part].area + (c.part != c.other ? parts_[c.other].area : 0)) / whole_area_;
+    if (c.part != c.other && share > options_.max_area_share && solidity < options_.solidity_of_large_charts)
+      return false;
+    return (c.part == c.other || solidity >= options_.min_solidity) && !has_crossing(std::move(border));
+  }
+
+  // --- Runs of arcs
+
+  Index part_of_side(Index s) { return owner_[s] == no_index ? no_index : roots_.find(owner_[s]); }
+
+  bool is_mergeable(Index s)
+  {
+    return !is_barrier_[s / 2] && !is_glued_[s / 2] && owner_[s] != no_index && owner_[s ^ 1] != no_index &&
+           part_of_side(s) != part_of_side(s ^ 1);
+  }
+
+  /// The longest run of consecutive arcs around s that lie between the same two parts; empty if that is the
+  /// whole border of both.
+  std::vector<Index> run_of(Index s)
+  {
+    std::vector<Index> run{s};
+    for (;;) {
+      const Index last = run.back(), n = next_[last];
+      if (n == s && previous_[last ^ 1] == (n ^ 1))
+        return {};
+      if (n == s || previous_[last ^ 1] != (n ^ 1) || is_barrier_[n / 2])
+        break;
+      run.push_back(n);
+    }
+    std::vector<Index> before;
+    for (Index first = s;;) {
+      const Index p = previous_[first];
+      if (p == run.back() || next_[first ^ 1] != (p ^ 1) || is_barrier_[p / 2])
+        break;
+      before.push_back(first = p);
+    }
+    run.insert(run.begin(), before.rbegin(), before.rend());
+    return run;
+  }
+
+  double length_of(const std::vector<Index>& run) const
+  {
+    double sum = 0;
+    for (const Index s : run)
+      sum += length_[s / 2];
+    return sum;
+  }
+
+  void push(Index s)
+  {
+    const Index a = part_of_side(s), b = part_of_side(s ^ 1);
+    const std::vector<Index> run = run_of(s);
+    if (run.empty())
+      return;
+    const double perimeter = std::min(parts_[a].perimeter, parts_[b].perimeter);
+    const double priority = perimeter > 0 ? length_of(run) / perimeter : 1;
+    queue_.push({priority, s, parts_[a].version, parts_[b].version});
+  }
+
+  /// Puts the runs of the part's border into the queue, each once.
+  void push_runs(Index part)
+  {
+    const Index start = parts_[part].side;
+    if (start == no_index)
+      return;
+    Index s = start;
+    do {
+      const Index p = previous_[s];
+      const bool goes_on = p != s && is_mergeable(p) && next_[s ^ 1] == (p ^ 1);
+      if (is_mergeable(s) && (!goes_on || s == start))
+        push(s);
+      s = next_[s];
+    } while (s != start);
+  }
+
+  // --- Merging
+
+  /// Takes promising candidates whose parts are all different from the queue. Their number does not depend on
+  /// the number of threads, so neither does the result.
+  std::vector<Candidate> take_batch()
+  {
+    std::vector<Candidate> batch;
+    std::vector<Entry> later;
+    std::vector<Index> busy;
+    const auto is_busy = [&](Index p) { return std::find(busy.begin(), busy.end(), p) != busy.end(); };
+    while (!queue_.empty() && batch.size() < options_.batch && later.size() < 4 * options_.batch) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      const Index s = entry.side;
+      if (!is_mergeable(s))
+        continue;
+      Candidate c{part_of_side(s), part_of_side(s ^ 1), {}, {}, false};
+      if (parts_[c.part].version != entry.version || parts_[c.other].version != entry.other_version)
+        continue; // pushed anew when the part changed
+      if (is_busy(c.part) || is_busy(c.other)) {
+        later.push_back(entry);
+        continue;
+      }
+      c.run = run_of(s);
+      if (is_mostly_refused(c.run))
+        continue;
+      if (!is_promising(c)) {
+        refuse(c.run);
+        continue;
+      }
+      busy.push_back(c.part);
+      busy.push_back(c.other);
+      batch.push_back(std::move(c));
+    }
+    for (const Entry& entry : later)
+      queue_.push(entry);
+    return batch;
+  }
+
+  bool is_mostly_refused(const std::vector<Index>& run) const
+  {
+    double refused = 0;
+    for (const Index s : run)
+      refused += is_refused_[s / 2] ? length_[s / 2] : 0;
+    return refused > 0.5 * length_of(run);
+  }
+
+  void refuse(const std::vector<Index>& run)
+  {
+    for (const Index s : run)
+      is_refused_[s / 2] = 1;
+  }
+
+  void attempt_all(std::vector<Candidate>& batch)
+  {
+    for (const Candidate& c : batch)
+      for (const Index s : c.run)
+        is_on_trial_[s / 2] = 1;
+    execution_.for_each(batch.size(), [&](std::size_t i) { attempt(batch[i]); });
+    for (const Candidate& c : batch)
+      for (const Index s : c.run)
+        is_on_trial_[s / 2] = 0;
+  }
+
+  void merge()
+  {
+    while (execution_.proceed(0.5)) {
+      std::vector<Candidate> batch = take_batch();
+      if (batch.empty())
+        break;
+      attempt_all(batch);
+      for (Candidate& c : batch)
+        if (c.is_accepted)
+          push_runs(accept(c));
+        else
+          refuse(c.run);
+    }
+    queue_ = {};
+  }
+
+  /// Joins the two parts, or closes the slit; returns the part.
+  Index accept(Candidate& c)
+  {
+    for (const Index s : c.run)
+      glue(s);
+    const Index part = c.part == c.other ? c.part : std::min(c.part, c.other);
+    Part merged;
+    merged.triangles = c.layout.source;
+    merged.area = parts_[c.part].area;
+    merged.perimeter = parts_[c.part].perimeter - 2 * length_of(c.run);
+    merged.side = remaining_side_;
+    merged.version = parts_[part].version + 1;
+    if (c.part != c.other) {
+      merged.area += parts_[c.other].area;
+      merged.perimeter += parts_[c.other].perimeter;
+      merged.version += parts_[c.part == part ? c.other : c.part].version;
+      parts_[c.part] = parts_[c.other] = Part();
+      roots_.unite(c.part, c.other);
+    }
+    parts_[part] = std::move(merged);
+    keep_layout(parts_[part], std::move(c.layout));
+    return part;
+  }
+
+  /// Takes both sides of an arc out of the borders. Either they are on different borders, which become one, or
+  /// they follow each other.
+  void glue(Index s)
+  {
+    const Index t = s ^ 1;
+    const auto link = [&](Index p, Index n) {
+      next_[p] = n;
+      previous_[n] = p;
+      remaining_side_ = n;
+    };
+    const Index p = previous_[s], n = next_[s], q = previous_[t], m = next_[t];
+    if (n == t)
+      link(p, m);
+    else if (m == s)
+      link(q, n);
+    else if (t == m)
+      link(p, n);
+    else if (s == n)
+      link(q, m);
+    else {
+      link(p, m);
+      link(q, n);
+    }
+    is_glued_[s / 2] = 1;
+  }
+
+  // --- Slits
+
+  /// Closes slits from their tips while the bound allows it.
+  void zip()
+  {
+    std::vector<std::uint8_t> is_stuck(is_barrier_.size(), 0);
+    while (execution_.proceed(0.6)) {
+      std::vector<Candidate> batch;
+      std::vector<std::uint8_t> has_one(parts_.size(), 0);
+      for (Index s = 0; s < next_.size(); ++s) {
+        if (owner_[s] == no_index || owner_[s ^ 1] == no_index || is_glued_[s / 2] || is_barrier_[s / 2] ||
+            is_stuck[s / 2] || next_[s] != (s ^ 1) || next_[s ^ 1] == s)
+          continue;
+        const Index p = part_of_side(s);
+        if (has_one[p])
+          continue;
+        has_one[p] = 1;
+        batch.push_back({p, p, {s}, {}, false});
+      }
+      if (batch.empty())
+        break;
+      attempt_all(batch);
+      for (Candidate& c : batch)
+        if (c.is_accepted)
+          accept(c);
+        else
+          is_stuck[c.run.front() / 2] = 1;
+    }
+  }
+
+  const Coarse_surface& surface_;
+  const Merge_options& options_;
+  const Flatten& flatten_;
+  const Execution& execution_;
+
+  std::vector<std::uint8_t> is_barrier_, is_glued_, is_on_trial_, is_refused_; ///< per arc
+  std::vector<double> length_;                                                 ///< per arc
+  std::vector<Index> next_, previous_; ///< per side: along the border of its part
+  std::vector<Index> owner_;           ///< per side: the chart it was found at
+  std::vector<Index> first_halfedge_;  ///< per side
+  std::vector<Part> parts_;            ///< per chart; of merged ones the one with the least number
+  Union_find roots_;
+  std::vector<Index> local_; ///< per triangle: scratch of trials
+  std::vector<Index> place_; ///< per triangle: its number in the layout of its part
+  std::priority_queue<Entry> queue_;
+  double whole_area_ = 0;
+  Index remaining_side_ = no_index;
+};
+
+} // namespace Atlas::internal
+
+#endif
