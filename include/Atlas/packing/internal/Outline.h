@@ -56,7 +56,7 @@ struct Outline
   std::vector<std::array<Vec2, 3>> triangles; ///< only of folded charts, whose border alone does not tell
                                               ///< what is inside
   std::vector<Index> seeds;                   ///< one point of each connected part of the segments
-  Vec2 centre;                                ///< in the chart's own coordinates
+  Vec2 centre;                                ///< of gravity, in the chart's own coordinates
   double area = 0;                            ///< sum of the areas of the triangles
   double radius = 0;                          ///< largest distance of a point from the centre
 
@@ -82,19 +82,38 @@ struct Outlines
   }
 };
 
-/// Centre and half of the larger side of the box of the triangles' corners.
-inline std::array<double, 3> centre_and_extent(const Chart& chart)
+/// The centre of gravity of a chart, and half of the larger side of the box of its corners.
+struct Chart_extent
 {
-  double box[4] = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  Vec2 centre;
+  double extent = 0;
+};
+
+inline Chart_extent extent_of(const Chart& chart)
+{
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  const auto at = [&](Index v) { return Vec2{chart.uv[v].x(), chart.uv[v].y()}; };
   for (const auto& triangle : chart.triangles)
     for (const Index v : triangle) {
-      box[0] = std::min(box[0], chart.uv[v].x()), box[2] = std::max(box[2], chart.uv[v].x());
-      box[1] = std::min(box[1], chart.uv[v].y()), box[3] = std::max(box[3], chart.uv[v].y());
+      low = {std::min(low.x, at(v).x), std::min(low.y, at(v).y)};
+      high = {std::max(high.x, at(v).x), std::max(high.y, at(v).y)};
     }
   if (chart.triangles.empty())
-    return {0, 0, 0};
-  return {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2,
-          std::max(box[2] / 2 - box[0] / 2, box[3] / 2 - box[1] / 2)};
+    return {};
+  const Vec2 middle = 0.5 * low + 0.5 * high;
+  const double extent = std::max(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
+  if (!(extent > 0))
+    return {middle, 0};
+  Vec2 moment;
+  double area = 0;
+  for (const auto& [i, j, k] : chart.triangles) {
+    const Vec2 a = (1 / extent) * (at(i) - middle), b = (1 / extent) * (at(j) - middle),
+               c = (1 / extent) * (at(k) - middle);
+    const double weight = std::abs(cross(b - a, c - a));
+    area += weight;
+    moment = moment + (weight / 3) * (a + b + c);
+  }
+  return {area > 0 ? middle + (extent / area) * moment : middle, extent};
 }
 
 /// One point of each connected part of the segments, by union and find.
@@ -168,9 +187,9 @@ inline Outlines outlines_of(std::span<const Chart> charts, const Execution& exec
   result.charts.resize(charts.size());
   double extent = 0;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const auto [x, y, e] = centre_and_extent(charts[i]);
-    result.charts[i].centre = {x, y};
-    extent = std::max(extent, e);
+    const Chart_extent e = extent_of(charts[i]);
+    result.charts[i].centre = e.centre;
+    extent = std::max(extent, e.extent);
   }
   if (extent > 0)
     result.unit = 0.5 / extent;

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_PACKING_SEARCH_H
+#define ATLAS_PACKING_INTERNAL_PACKING_SEARCH_H
+
+#include <Atlas/packing/internal/Elastic_layout.h>
+#include <Atlas/packing/internal/Outline.h>
+#include <Atlas/packing/internal/Packing_shape.h>
+#include <Atlas/packing/internal/Raster_builder.h>
+#include <Atlas/packing/internal/separation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// What all searches of one packing have in common.
+struct Packing_problem
+{
+  std::vector<const Outline*> outlines; ///< of the shapes
+  std::vector<Packing_shape> shapes;
+  double width = 0, height = 0;
+  double gutter = 0;    ///< to be kept exactly
+  double tolerance = 0; ///< of simplification, in texels
+  std::vector<Vec2> turns;
+  bool may_turn = true;
+  std::optional<Raster_masks> masks;
+
+  /// The scale at which the charts, grown by half the gutter, fill that share of the page.
+  double scale_of_share(double share) const
+  {
+    double a = 0, b = 0;
+    for (const Packing_shape& s : shapes) {
+      a += s.area;
+      b += s.perimeter * gutter / 2;
+    }
+    const double c = share * width * height;
+    double scale = a > 0 ? (std::sqrt(b * b + 4 * a * c) - b) / (2 * a) : c / std::max(b, 1e-300);
+    for (const Packing_shape& s : shapes)
+      if (s.radius > 0)
+        scale = std::min(scale, std::hypot(width, height) / s.radius);
+    return scale;
+  }
+
+  /// The side of a pixel: the finer the more shapes there are.
+  double pixel() const
+  {
+    return std::sqrt(width * height) / std::max(120.0, 9 * std::sqrt(static_cast<double>(shapes.size())));
+  }
+  /// What shapes are grown by on a raster: not enough to keep them apart for sure, relaxing does the rest.
+  double grown() const { return gutter / 2 + 0.5 * std::min({pixel(), width, height}); }
+
+  /// The outlines in their places.
+  std::vector<Placed_outline> placed(const Shape_layout& layout) const
+  {
+    std::vector<Placed_outline> result(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      result[i].outline = outlines[i];
+      const Vec2 r = layout.scale * rotated(layout.turns[i], shapes[i].frame);
+      for (const Vec2& p : outlines[i]->points)
+        result[i].points.push_back(layout.positions[i] + rotated(r, p));
+    }
+    return result;
+  }
+};
+
+/// One search for a dense layout: built on a raster, relaxed, inflated, then torn down in part and rebuilt
+/// again and again. Its course depends on its number only; the longer it runs the better it gets.
+class Packing_search
+{
+public:
+  Packing_search(const Packing_problem& problem, unsigned number)
+      : problem_(&problem), number_(number), random_(1234567 + 7919 * number),
+        frame_(problem.width, problem.height, problem.pixel()),
+        elastic_(problem.shapes,
+                 {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
+                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn})
+  {}
+
+  /// The best layout so far that keeps the gutter exactly; its scale is 0 if there is none yet.
+  const Shape_layout& best() const { return best_; }
+  std::uint64_t work() const { return work_ + elastic_.work(); }
+
+  /// Builds the first layout.
+  void start()
+  {
+    std::optional<Shape_layout> layout = build();
+    if (!layout)
+      return;
+    elastic_.assign(std::move(*layout));
+    bool is_relaxed = elastic_.relax(60);
+    for (int i = 0; i < 8 && !is_relaxed; ++i) {
+      elastic_.set_scale(elastic_.layout().scale * 0.985);
+      is_relaxed = elastic_.relax(40);
+    }
+    if (is_relaxed && accept())
+      inflate(0.006);
+    current_ = best_;
+  }
+
+  /// Goes on from another layout.
+  void restart(const Shape_layout& layout)
+  {
+    elastic_.assign(layout);
+    current_ = layout;
+    if (layout.scale > best_.scale)
+      best_ = layout;
+  }
+
+  /// Ruins and recreates until that much work has been done.
+  void run(std::uint64_t work_limit)
+  {
+    if (best_.scale <= 0)
+      return;
+    while (work() < work_limit)
+      improve();
+  }
+
+private:
+  static double slack() { return 0.02; }
+  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+
+  /// The order in which shapes are placed: each search has its own.
+  std::vector<Index> order() const
+  {
+    const auto& shapes = problem_->shapes;
+    std::vector<double> size(shapes.size());
+    for (std::size_t i = 0; i < size.size(); ++i) {
+      const Packing_shape& s = shapes[i];
+      size[i] = number_ % 4 == 0   ? s.width * s.height
+                : number_ % 4 == 1 ? s.radius * s.radius
+                : number_ % 4 == 2 ? s.mass
+                                   : s.perimeter * s.perimeter;
+    }
+    std::vector<Index> result(shapes.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    std::stable_sort(result.begin(), result.end(), [&](Index i, Index j) { return size[i] > size[j]; });
+    return result;
+  }
+
+  /// Raises the scale of raster layouts until they fail.
+  std::optional<Shape_layout> build()
+  {
+    std::vector<Index> sequence = order();
+    const Packing_problem& p = *problem_;
+    const int tries = p.shapes.size() <= 300 ? 2 : 1;
+    double scale = p.scale_of_share(0.74);
+    const auto attempt = [&](double s) {
+      return build_on_raster(*p.masks, p.width, p.height, s, sequence, tries, work_);
+    };
+    std::optional<Shape_layout> best = attempt(scale);
+    for (int i = 0; i < 60 && !best; ++i) {
+      scale *= i < 8 ? 0.97 : 0.85;
+      best = attempt(scale);
+    }
+    for (const double step : {0.02, 0.007})
+      while (best) {
+        auto next = attempt(scale * (1 + step));
+        if (!next)
+          break;
+        best = std::move(next);
+        scale *= 1 + step;
+      }
+    return best;
+  }
+
+  /// Takes the present layout as the best if it is better and passes the exact test. Charts that fail get
+  /// more room and everything is relaxed again.
+  bool accept()
+  {
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      if (elastic_.layout().scale <= best_.scale)
+        return true;
+      if (is_exact()) {
+        best_ = elastic_.layout();
+        return true;
+      }
+      if (!elastic_.relax(30))
+        return false;
+    }
+    return false;
+  }
+
+  bool is_exact()
+  {
+    const std::vector<Placed_outline> placed = problem_->placed(elastic_.layout());
+    bool is_good = true;
+    const double border = problem_->gutter / 2;
+    std::size_t segments = 0;
+    for (Index i = 0; i < placed.size(); ++i) {
+      double least = HUGE_VAL;
+      for (const Vec2& p : placed[i].points)
+        least = std::min({least, p.x, p.y, problem_->width - p.x, problem_->height - p.y});
+      segments += placed[i].points.size();
+      if (least < border) {
+        is_good = false;
+        elastic_.widen(i, border - least + slack());
+      }
+    }
+    work_ += 400 * segments;
+    const double gutter = problem_->gutter;
+    std::vector<double> missing(placed.size(), 0.0);
+    Separation(placed, gutter).search([&](Index i, Index j, double distance) {
+      missing[i] = std::max(missing[i], gutter - distance);
+      missing[j] = std::max(missing[j], gutter - distance);
+      return true;
+    });
+    for (Index i = 0; i < placed.size(); ++i)
+      if (missing[i] > 0) {
+        is_good = false;
+        elastic_.widen(i, missing[i] / 2 + slack());
+      }
+    return is_good;
+  }
+
+  /// Goes back to an earlier state but for the work that has been done.
+  void go_back(const Elastic_layout& state)
+  {
+    const std::uint64_t done = elastic_.work();
+    elastic_ = state;
+    elastic_.set_work(done);
+  }
+
+  /// Raises the scale in ever smaller steps as long as shapes can be pushed apart.
+  void inflate(double step)
+  {
+    Elastic_layout good = elastic_;
+    while (step > 0.0004) {
+      elastic_.set_scale(elastic_.layout().scale * (1 + step));
+      if (elastic_.relax(36)) {
+        good = elastic_;
+      } else {
+        go_back(good);
+        step /= 2.5;
+      }
+    }
+    if (!accept())
+      go_back(good);
+  }
+
+  /// Shapes to take out: one and its neighbours, or any.
+  std::vector<Index> victims()
+  {
+    const std::size_t n = problem_->shapes.size();
+    const std::size_t k = 1 + below(std::min<std::size_t>(5, n));
+    const bool is_local = below(3) != 0;
+    const Index first = static_cast<Index>(below(n));
+    std::vector<std::pair<double, Index>> by_distance;
+    for (Index i = 0; i < n; ++i) {
+      const double d = length(current_.positions[i] - current_.positions[first]) -
+                       problem_->shapes[i].radius * current_.scale;
+      by_distance.emplace_back(i == first ? -HUGE_VAL : is_local ? d : uniform(), i);
+    }
+    std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(k),
+                      by_distance.end());
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < k; ++i)
+      result.push_back(by_distance[i].second);
+    std::sort(result.begin(), result.end(), [&](Index i, Index j) {
+      const double a = problem_->shapes[i].mass, b = problem_->shapes[j].mass;
+      return a != b ? a > b : i < j;
+    });
+    if (result.size() > 1 && below(3) == 0)
+      std::swap(result[0], result[1]);
+    return result;
+  }
+
+  /// Takes shapes out and puts them elsewhere; false if no place is found.
+  bool rebuild(Shape_layout& layout)
+  {
+    const std::vector<Index> out = victims();
+    std::vector<bool> is_out(problem_->shapes.size(), false);
+    for (const Index i : out)
+      is_out[i] = true;
+    const Packing_problem& p = *problem_;
+    draw_on_raster(frame_, p.shapes, layout, is_out, p.grown(), work_);
+    const double angle = 2 * M_PI * uniform();
+    const Vec2 twist = p.may_turn ? Vec2{std::cos(angle), std::sin(angle)} : Vec2{1, 0};
+    for (const Index i : out) {
+      bool is_placed = false;
+      for (double erosion = 0; erosion <= 4 && !is_placed; erosion += 0.75)
+        is_placed = insert_on_raster(frame_, p.shapes, i, p.turns, twist, p.grown() - erosion * frame_.pixel,
+                                     layout, work_);
+      if (!is_placed)
+        return false;
+    }
+    return true;
+  }
+
+  void improve()
+  {
+    Shape_layout layout = current_;
+    const double scale = current_.scale, gain = 0.001 + 0.004 * uniform(),
+                 loss = -0.0015 * std::log(uniform());
+    work_ += 1000;
+    if (!rebuild(layout))
+      return;
+    const Elastic_layout before = elastic_;
+    elastic_.move_to(layout);
+    elastic_.set_scale(scale * (1 + gain));
+    bool is_relaxed = elastic_.relax(48);
+    if (!is_relaxed) {
+      elastic_.set_scale(scale * (1 - loss));
+      is_relaxed = elastic_.relax(36);
+    }
+    if (!is_relaxed) {
+      go_back(before);
+      return;
+    }
+    inflate(0.003);
+    if (elastic_.layout().scale >= scale * (1 - loss))
+      current_ = elastic_.layout();
+    else
+      go_back(before);
+  }
+
+  const Packing_problem* problem_;
+  unsigned number_;
+  std::mt19937_64 random_;
+  Raster_frame frame_;
+  Elastic_layout elastic_;
+  Shape_layout best_, current_;
+  std::uint64_t work_ = 0;
+};
+
+} // namespace Atlas::internal
+
+#endif
