@@ -104,7 +104,7 @@ TEST(Injectivity_checker, sees_flips_crossings_and_touches)
   std::vector<Complex> u;
   for (const Point_3& p : chart.points)
     u.emplace_back(5 * p.x(), p.y());
-  const internal::Injectivity_checker checker(chart);
+  internal::Injectivity_checker checker(chart);
   EXPECT_TRUE(checker.is_one_to_one(u));
   std::vector<Complex> flipped = u;
   flipped[3] = Complex(flipped[3].real(), flipped[3].imag() > 0.5 ? -5 : 5);
@@ -133,7 +133,7 @@ TEST(Injectivity_checker, agrees_with_all_pairs_on_random_polygons)
     for (Index i = 1; i <= n; ++i)
       u[i] = trial % 2 == 0 ? Complex(coordinate(random), coordinate(random))
                             : std::polar(1. + coordinate(random), 2 * M_PI * i / n);
-    const internal::Injectivity_checker checker(chart);
+    internal::Injectivity_checker checker(chart);
     bool expected = true;
     for (Index i = 0; i < n; ++i)
       for (Index j = i + 1; j < n; ++j) {

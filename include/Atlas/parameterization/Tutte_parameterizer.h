@@ -33,7 +33,7 @@ public:
   Chart_status parameterize(Chart& chart, const Execution& execution) const
   {
     chart.uv.assign(chart.number_of_vertices(), Point_2(0, 0));
-    const internal::Injectivity_checker checker(chart);
+    internal::Injectivity_checker checker(chart);
     if (checker.borders().size() != 1)
       return Chart_status::not_a_disc;
     const internal::Chart_geometry geometry(chart);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PARAMETERIZATION_BIJECTIVE_PARAMETERIZER_H
+#define ATLAS_PARAMETERIZATION_BIJECTIVE_PARAMETERIZER_H
+
+#include <Atlas/Chart.h>
+#include <Atlas/Execution.h>
+#include <Atlas/concepts.h>
+#include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/parameterization/Schnyder_parameterizer.h>
+#include <Atlas/parameterization/Symmetric_dirichlet_optimizer.h>
+#include <Atlas/parameterization/Tutte_parameterizer.h>
+#include <Atlas/parameterization/internal/injectivity.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace Atlas {
+
+/// Where the coordinates of a chart came from.
+enum class Flattening_start {
+  first_choice, ///< the parameterizer that was asked for, as a rule LSCM
+  tutte,        ///< Tutte's map, because the first choice was not one-to-one
+  schnyder      ///< a drawing on a grid, because Tutte's map needs more than double precision
+};
+
+/// A sentence for the user.
+inline const char* message(Flattening_start start)
+{
+  switch (start) {
+  case Flattening_start::first_choice:
+    return "the chart keeps the map of the chosen parameterizer";
+  case Flattening_start::tutte:
+    return "the chosen parameterizer was not one-to-one; the chart starts from Tutte's map";
+  case Flattening_start::schnyder:
+    return "Tutte's map is below double precision; the chart starts from a drawing on a grid";
+  }
+  return "unknown start";
+}
+
+/// \brief What was done to flatten a chart.
+struct Flattening_record
+{
+  Flattening_start start = Flattening_start::first_choice;
+  std::size_t flips = 0;        ///< triangles that the first choice turned over or made flat
+  bool was_overlapping = false; ///< whether the first choice made the border cross or touch itself
+  bool is_optimized = false;    ///< whether the optimiser had a part in the result
+  Distortion_record distortion; ///< of the optimiser's last run
+};
+
+/// \brief Whether every chart is optimised, or only those that need it to be one-to-one.
+enum class Finish {
+  low_distortion, ///< symmetric Dirichlet on every chart
+  as_it_is        ///< the first choice where it is one-to-one: conformal maps stay conformal
+};
+
+/// \brief Flattens every disc one-to-one: the chosen parameterizer, then an optimiser that cannot flip; where
+/// that does not give a one-to-one map, the optimiser from Tutte's map; and where double precision does
+/// not hold that, from Schnyder's drawing.
+///
+/// One-to-one means: proved by exact predicates on the coordinates in double precision.
+template <ChartParameterizer First = LSCM_parameterizer<>>
+class Bijective_parameterizer
+{
+public:
+  explicit Bijective_parameterizer(Finish finish = Finish::low_distortion, Distortion_options options = {},
+                                   First first = First())
+      : finish_(finish), optimizer_(options), first_(std::move(first))
+  {}
+
+  /// \return `valid` for every disc with area; else the reason
+  Chart_status parameterize(Chart& chart, const Execution& execution) const
+  {
+    Flattening_record record;
+    return parameterize(chart, execution, record);
+  }
+
+  Chart_status parameterize(Chart& chart, const Execution& execution, Flattening_record& record) const
+  {
+    record = {};
+    if (try_first(chart, execution, record))
+      return Chart_status::valid;
+    if (execution.is_cancelled())
+      return Chart_status::cancelled;
+    record.start = Flattening_start::tutte;
+    if (Tutte_parameterizer().parameterize(chart, execution) == Chart_status::valid)
+      return optimize(chart, execution, record);
+    record.start = Flattening_start::schnyder;
+    if (const Chart_status status = Schnyder_parameterizer().parameterize(chart, execution);
+        status != Chart_status::valid)
+      return status;
+    return optimize(chart, execution, record);
+  }
+
+private:
+  bool try_first(Chart& chart, const Execution& execution, Flattening_record& record) const
+  {
+    if (first_.parameterize(chart, execution) != Chart_status::valid || execution.is_cancelled())
+      return false;
+    internal::Injectivity_checker checker(chart);
+    if (checker.borders().size() != 1)
+      return false;
+    std::vector<internal::Complex> u;
+    for (const Point_2& p : chart.uv)
+      u.emplace_back(p.x(), p.y());
+    record.flips = checker.number_of_flips(u);
+    record.was_overlapping = !checker.is_border_simple(u);
+    if (record.flips > 0)
+      return false;
+    if (finish_ == Finish::as_it_is && !record.was_overlapping)
+      return true;
+    return optimize(chart, execution, record) == Chart_status::valid;
+  }
+
+  Chart_status optimize(Chart& chart, const Execution& execution, Flattening_record& record) const
+  {
+    record.is_optimized = true;
+    return optimizer_.optimize(chart, execution, record.distortion);
+  }
+
+  Finish finish_;
+  Symmetric_dirichlet_optimizer optimizer_;
+  First first_;
+};
+
+} // namespace Atlas
+
+#endif
