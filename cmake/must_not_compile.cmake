@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# cmake -DERRORS=A|B|... -P must_not_compile.cmake -- COMPILER...: fails unless the compiler fails and for each of A,
+# B, ... there is an error that matches it.
+set(command)
+set(is_command FALSE)
+foreach(i RANGE ${CMAKE_ARGC})
+  if(is_command)
+    list(APPEND command "${CMAKE_ARGV${i}}")
+  elseif("${CMAKE_ARGV${i}}" STREQUAL "--")
+    set(is_command TRUE)
+  endif()
+endforeach()
+execute_process(COMMAND ${command} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(result EQUAL 0)
+  message(FATAL_ERROR "this should not have compiled: ${command}")
+endif()
+string(REPLACE "|" ";" errors "${ERRORS}")
+foreach(error IN LISTS errors)
+  if(NOT output MATCHES "error:[^\n]*${error}")
+    message(FATAL_ERROR "no error matches ${error}:\n${output}")
+  endif()
+endforeach()

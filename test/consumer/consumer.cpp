@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <Atlas/generate_atlas.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <iostream>
+
+int main()
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+  Mesh mesh;
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1), mesh);
+  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const auto report = Atlas::generate_atlas(mesh, uv, Atlas::parameters::texture_size(1024).gutter(2));
+  std::cout << report.charts.size() << " charts; " << Atlas::message(report.status) << '\n';
+  return report.is_valid() ? 0 : 1;
+}
