@@ -99,7 +99,7 @@ void complete(Options& options)
   const bool is_special = fs::exists(options.output) && !fs::is_regular_file(options.output);
   if (extension != ".obj" && extension != ".OBJ" && !is_special)
     throw CLI::ValidationError("--output", "the name of the model must end in .obj: " + options.output);
-  if (options.gutter * 2 >= options.texture_size)
+  if (!(options.gutter * 2 < options.texture_size)) // not a number fails too
     throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
                                                CLI::detail::to_string(options.gutter) + " texels");
 }
@@ -303,7 +303,7 @@ int main(int argc, char** argv)
     complete(options);
     return run(options);
   } catch (const CLI::CallForHelp&) {
-    std::fputs(app.help().c_str(), stdout);
+    std::fputs((app.help() + '\n').c_str(), stdout);
     return std::fflush(stdout) == 0 ? success : io_failure;
   } catch (const CLI::Error& error) {
     print_error(std::string(error.what()) + " (see --help)");

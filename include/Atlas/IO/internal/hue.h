@@ -27,7 +27,7 @@ inline Color color_of_chart(std::size_t i)
 {
   const double step = static_cast<double>(i);
   return color_of_hue(std::fmod(0.58 + 0.61803398874989485 * step, 1.0),
-                      0.38 + 0.17 * static_cast<double>(i % 3), 0.93 - 0.09 * static_cast<double>(i / 3 % 3));
+                      0.34 + 0.10 * static_cast<double>(i % 3), 0.93 - 0.09 * static_cast<double>(i / 3 % 3));
 }
 
 } // namespace Atlas::internal

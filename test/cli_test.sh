@@ -1,0 +1,167 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# The calling contract of texture_atlas. Usage: cli_test.sh PROGRAM
+program=$(realpath "$1") || exit 2
+folder=$(mktemp -d) || exit 2
+trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+cd "$folder" || exit 2
+failures=0
+
+fail() {
+  echo "FAILED: $1"
+  failures=$((failures + 1))
+}
+
+# expect CODE LINES ARGUMENTS...: the exit code and the number of lines on stderr
+expect() {
+  local code=$1 lines=$2
+  shift 2
+  timeout 60 "$program" "$@" >stdout 2>stderr </dev/null
+  local got=$?
+  [ $got -eq "$code" ] || fail "exit code $got instead of $code: $* ($(head -n 1 stderr))"
+  [ "$(wc -l <stderr)" -eq "$lines" ] || fail "$(wc -l <stderr) lines on stderr instead of $lines: $*"
+}
+
+# files NAME...: exactly these files are in the folder `out`
+files() {
+  local got wanted
+  got=$(cd out && find . -type f | sort | tr '\n' ' ')
+  wanted=$(for name in "$@"; do echo "./$name"; done | sort | tr '\n' ' ')
+  [ "$got" = "$wanted" ] || fail "files: $got instead of $wanted"
+  rm -rf out && mkdir out
+}
+
+mkdir out
+cat >cube.obj <<'CUBE'
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 1 1 0
+v 0 0 1
+v 1 0 1
+v 0 1 1
+v 1 1 1
+f 1 3 4 2
+f 5 6 8 7
+f 1 2 6 5
+f 3 7 8 4
+f 1 5 7 3
+f 2 4 8 6
+CUBE
+all=(.obj .mtl _checkerboard.png _page.png _view.png .json)
+
+# The main job, with all options.
+expect 0 0 cube.obj -o out/a.obj
+grep -q '^verdict  *valid' stdout || fail "no verdict on stdout"
+for word in charts distortion packing time segmentation verification; do
+  grep -q "$word" stdout || fail "no word $word on stdout"
+done
+grep -q '^v 1 0 1$' out/a.obj || fail "vertex changed"
+[ "$(grep -c '^f ' out/a.obj)" -eq 6 ] || fail "number of faces"
+[ "$(grep '^f ' out/a.obj | sed 's#/[0-9]*##g')" = "$(grep '^f ' cube.obj)" ] || fail "faces changed"
+grep -q 'mtllib a.mtl' out/a.obj && grep -q 'map_Kd a_checkerboard.png' out/a.mtl || fail "material"
+python3 -c 'import json, sys; r = json.load(open("out/a.json")); sys.exit(not (r["is_valid"] and r["faces"] == 6))' ||
+  fail "report"
+files "${all[@]/#/a}"
+expect 0 0 cube.obj -o out/b.obj --texture-size 256 --gutter 4 --report out/r.json --threads 2 --picture out/p.png --quiet
+[ -s stdout ] && fail "--quiet prints"
+files b.obj b.mtl b_checkerboard.png b_page.png b_view.png r.json p.png
+(cd out && expect 0 0 ../cube.obj && rm stdout stderr)
+files "${all[@]/#/cube_atlas}"
+expect 0 4 cube.obj -o out/c.obj --progress
+rm out/*
+
+# The same bytes for any number of threads.
+expect 0 0 cube.obj -o out/1.obj --threads 1
+expect 0 0 cube.obj -o out/2.obj --threads 3
+cmp <(grep -v mtllib out/1.obj) <(grep -v mtllib out/2.obj) || fail "threads change the result"
+rm out/*
+
+# Names of any kind.
+cp cube.obj "a b é 'q'.obj"
+expect 0 0 "a b é 'q'.obj" -o "out/ü x.obj"
+files "${all[@]/#/ü x}"
+
+# Wrong command lines.
+expect 2 1
+expect 2 1 cube.obj --no-such-option
+expect 2 1 cube.obj --texture-size 0 -o out/a.obj
+expect 2 1 cube.obj --texture-size big -o out/a.obj
+expect 2 1 cube.obj --gutter -1 -o out/a.obj
+expect 2 1 cube.obj --gutter nan -o out/a.obj
+expect 2 1 cube.obj --gutter 600 -o out/a.obj
+expect 2 1 cube.obj --threads x -o out/a.obj
+expect 2 1 cube.obj -o out/a.txt
+expect 2 1 cube.obj cube.obj -o out/a.obj
+expect 0 0 --help
+for option in MESH --output --texture-size --gutter --report --threads --picture --quiet; do
+  grep -q -e "$option" stdout || fail "--help does not explain $option"
+done
+files
+
+# Files that cannot be read: one line that names file and line.
+expect 3 1 missing.obj -o out/a.obj
+expect 3 1 . -o out/a.obj
+: >empty.obj
+expect 3 1 empty.obj -o out/a.obj
+printf 'v 0 0 0\nv 1 x 0\n' >broken.obj
+expect 3 1 broken.obj -o out/a.obj
+grep -q 'broken.obj:2: .*x' stderr || fail "the line is not named: $(cat stderr)"
+head -c 5000 /dev/urandom >random.ply
+expect 3 1 random.ply -o out/a.obj
+printf 'v 0 0 0\nf 1 1 1\n' >point.obj
+expect 1 1 point.obj -o out/a.obj
+files
+
+# Faces that take no part are told, and the others get coordinates.
+(cat cube.obj && printf 'f 1 2 99\n') >repair.obj
+expect 0 1 repair.obj -o out/a.obj
+grep -q 'face 6' stderr || fail "the rejected face is not named"
+[ "$(grep -c '^f ' out/a.obj)" -eq 7 ] || fail "the rejected face is lost"
+rm out/*
+
+# Places that cannot be written: one line, and nothing half-written.
+expect 3 1 cube.obj -o out/no/such/folder.obj
+expect 3 1 cube.obj -o out/a.obj --report out/no/r.json
+expect 3 1 cube.obj -o out/a.obj --picture out/no/p.png
+expect 3 1 cube.obj -o out/a.obj --report /dev/full
+expect 3 1 cube.obj -o /dev/full
+mkdir out/dir.obj
+expect 3 1 cube.obj -o out/dir.obj
+rmdir out/dir.obj
+files
+timeout 60 "$program" cube.obj -o out/a.obj >/dev/full 2>stderr
+[ $? -eq 3 ] || fail "a full stdout goes unnoticed"
+rm -f out/*
+(ulimit -f 8 && timeout 60 "$program" cube.obj -o out/a.obj >/dev/null 2>&1)
+[ $? -eq 3 ] || fail "a limit of the file size goes unnoticed"
+files
+echo old >out/a.obj
+expect 3 1 cube.obj -o out/a.obj --report /dev/full
+[ "$(cat out/a.obj)" = old ] || fail "the old file is gone"
+rm out/a.obj
+if [ "$(id -u)" -ne 0 ]; then
+  chmod a-w out
+  expect 3 1 cube.obj -o out/a.obj
+  chmod u+w out
+  files
+fi
+
+# A signal ends the run without a trace.
+python3 - >big.obj <<'BIG'
+n = 400
+for j in range(n):
+    for i in range(n):
+        print("v", i, j, ((i * 7919 + j * 104729) % 97) / 10)
+for j in range(n - 1):
+    for i in range(n - 1):
+        a = j * n + i + 1
+        print("f", a, a + 1, a + n + 1, a + n)
+BIG
+timeout -s INT 1 "$program" big.obj -o out/a.obj >stdout 2>stderr
+[ $? -eq 124 ] || fail "not interrupted in time"
+[ "$(wc -l <stderr)" -eq 1 ] || fail "an interruption is told in one line: $(cat stderr)"
+files
+
+[ $failures -eq 0 ] && echo "all passed"
+exit $((failures > 0))
