@@ -224,6 +224,40 @@ TEST(GenerateAtlasOnSurface, ReportsProgressAndStopsWhenAsked)
   }
 }
 
+TEST(SlitOpener, FlatRingIsADiscForWhoeverReadsTheCoordinates)
+{
+  const Surface ring = surface_of(grid(
+      24, 3,
+      [](double x, double y) {
+        const double r = 1 + y, a = -2 * M_PI * x;
+        return Point_3(r * std::cos(a), r * std::sin(a), 0);
+      },
+      true));
+  Segmentation segmentation = one_chart(ring);
+  cut_to_discs(ring, segmentation, Execution());
+  Chart chart = extract_charts(ring, segmentation).at(0);
+  for (const Point_3& p : chart.points)
+    chart.uv.emplace_back(0.5 + p.x() / 8, 0.5 + p.y() / 8);
+  EXPECT_TRUE(internal::Grid_rounding(chart)().empty());
+
+  const auto certificate = [&] {
+    std::vector<Point_2> corner_uv(ring.number_of_corners);
+    for (Index t = 0; t < chart.triangles.size(); ++t)
+      for (Index i = 0; i < 3; ++i)
+        corner_uv[ring.corner[3 * chart.source[t] + i]] = chart.uv[chart.triangles[t][i]];
+    return certify(ring, corner_uv, {}, Certificate_options(), Execution());
+  };
+  EXPECT_TRUE(certificate().is_valid());
+  EXPECT_EQ(certificate().non_disc_charts, 1u);
+  const std::vector<Point_2> before = chart.uv;
+  internal::Slit_opener(ring, segmentation, chart)();
+  EXPECT_TRUE(certificate().is_valid());
+  EXPECT_EQ(certificate().charts, 1u);
+  EXPECT_EQ(certificate().non_disc_charts, 0u);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    EXPECT_LT(CGAL::squared_distance(before[v], chart.uv[v]), 1e-11);
+}
+
 TEST(GenerateAtlasOnSurface, ListsFacesThatCannotBeMapped)
 {
   Soup soup = planar_grid(4, 4);

@@ -5,6 +5,7 @@
 #include <Atlas/Atlas_report.h>
 #include <Atlas/concepts.h>
 #include <Atlas/extract_charts.h>
+#include <Atlas/internal/Slit_opener.h>
 #include <Atlas/internal/round_coordinates.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
@@ -40,6 +41,8 @@ public:
   static constexpr int maximal_bound_rounds = 12;
   /// Rounds of packing, rounding and verification before the faults that remain are reported.
   static constexpr int maximal_page_rounds = 6;
+  /// Cells across a chart to which its coordinates are snapped.
+  static constexpr double fineness = 4294967296.0;
 
   Atlas_pipeline(const Surface& input, const Segmentation_policy& segmentation,
                  const Parameterizer& parameterizer, const Optimizer& optimizer, const Validator& validator,
@@ -212,8 +215,9 @@ private:
     const double in_plane = std::abs(area_uv(chart)) / extent / extent;
     const double texel = std::sqrt(report_.area / (double(page_.width) * page_.height));
     const double side = std::max(texel, in_plane > 0 ? std::sqrt(area_3d(chart) / in_plane) : 0.0);
+    const auto snap = [&](double x) { return std::round(x / extent * fineness) / fineness * side; };
     for (Point_2& p : chart.uv)
-      p = Point_2((p.x() - box.xmin()) / extent * side, (p.y() - box.ymin()) / extent * side);
+      p = Point_2(snap(p.x() - box.xmin()), snap(p.y() - box.ymin()));
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
@@ -301,6 +305,7 @@ private:
         p = Point_2(texel.x() / page_.width, texel.y() / page_.height);
       }
       rounding_faults_[i] = Grid_rounding(charts_[i])();
+      Slit_opener(surface_, segmentation_, charts_[i])();
     });
     for (std::size_t i = 0; i < charts_.size(); ++i)
       for (const Index t : charts_[i].source)
