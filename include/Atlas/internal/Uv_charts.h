@@ -6,7 +6,7 @@
 #include <Atlas/Surface.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -108,61 +108,97 @@ private:
     }
   }
 
+  /// An edge of one triangle, with its ends in the order of their places in space.
+  struct Edge
+  {
+    Point_3 a, b; ///< in space
+    Point_2 p, q; ///< in the plane
+    Index page, halfedge, from, to;
+
+    auto place() const { return std::tie(a, b); }
+    auto image() const { return std::tie(p, q, page); }
+    bool operator<(const Edge& e) const
+    {
+      return place() != e.place()   ? place() < e.place()
+             : image() != e.image() ? image() < e.image()
+                                    : halfedge < e.halfedge;
+    }
+  };
+
+  Edge edge(Index h) const
+  {
+    const Index n = next_halfedge(h);
+    const bool is_forward = surface_.point(h) < surface_.point(n);
+    const Index from = is_forward ? h : n, to = is_forward ? n : h;
+    return {surface_.point(from), surface_.point(to), uv_[from], uv_[to], page_[h / 3], h, from, to};
+  }
+
+  /// The same for edges at the same place. Zero has two signs that compare equal.
+  std::uint64_t hash_of_place(Index h) const
+  {
+    const auto hash = [](const Point_3& p) {
+      std::uint64_t sum = 0;
+      for (int i = 0; i < 3; ++i)
+        sum = (sum ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15u, sum ^= sum >> 29;
+      return sum;
+    };
+    return hash(surface_.point(h)) + hash(surface_.point(next_halfedge(h)));
+  }
+
   /// Edges that are not shared by exactly two consistently oriented triangles: those at the same place in
   /// space are one edge, on which all triangles with equal coordinates are glued, whichever way they run.
   void glue_open(const std::vector<Index>& open)
   {
-    struct Edge
-    {
-      Point_3 a, b; ///< in space, in order
-      Point_2 p, q; ///< in the plane
-      Index page, halfedge, from, to;
-    };
+    std::vector<std::pair<std::uint64_t, Index>> hashes;
+    hashes.reserve(open.size());
+    for (const Index h : open)
+      if (is_used(h / 3) && surface_.point(h) != surface_.point(next_halfedge(h)))
+        hashes.emplace_back(hash_of_place(h), h);
+    std::sort(hashes.begin(), hashes.end());
     std::vector<Edge> edges;
-    for (const Index h : open) {
-      const Index n = next_halfedge(h);
-      if (!is_used(h / 3) || surface_.point(h) == surface_.point(n))
-        continue;
-      if (surface_.point(h) < surface_.point(n))
-        edges.push_back({surface_.point(h), surface_.point(n), uv_[h], uv_[n], page_[h / 3], h, h, n});
-      else
-        edges.push_back({surface_.point(n), surface_.point(h), uv_[n], uv_[h], page_[h / 3], h, n, h});
+    for (std::size_t i = 0, end = 0; i < hashes.size(); i = end) {
+      edges.clear();
+      for (; end < hashes.size() && hashes[end].first == hashes[i].first; ++end)
+        if (end > i || (end + 1 < hashes.size() && hashes[end + 1].first == hashes[i].first))
+          edges.push_back(edge(hashes[end].second));
+      std::sort(edges.begin(), edges.end());
+      for (std::size_t first = 0; first < edges.size();)
+        first = glue_place(edges, first);
     }
-    const auto place = [](const Edge& e) { return std::tie(e.a, e.b); };
-    const auto image = [](const Edge& e) { return std::tie(e.p, e.q, e.page); };
-    std::sort(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) {
-      return place(e) != place(f)   ? place(e) < place(f)
-             : image(e) != image(f) ? image(e) < image(f)
-                                    : e.halfedge < f.halfedge;
-    });
-    for (std::size_t i = 0; i < edges.size();) {
-      std::size_t end = i, sides = 0;
-      const std::size_t first = i;
-      for (; end < edges.size() && place(edges[end]) == place(edges[first]); ++sides) {
-        const std::size_t side = end;
-        while (end < edges.size() && place(edges[end]) == place(edges[side]) &&
-               image(edges[end]) == image(edges[side]))
-          ++end;
-        for (std::size_t j = side + 1; j < end; ++j) {
-          triangles_.join(edges[side].halfedge / 3, edges[j].halfedge / 3);
-          corners_.join(edges[side].from, edges[j].from);
-          corners_.join(edges[side].to, edges[j].to);
-        }
-        if (end - side == 2) {
-          glued_[edges[side].halfedge] = edges[side + 1].halfedge;
-          glued_[edges[side + 1].halfedge] = edges[side].halfedge;
-        }
-        // The first of a crowd stands for the edge when edges are counted.
-        for (std::size_t j = side; end - side > 2 && j < end; ++j) {
-          is_crowded_[edges[j].halfedge] = true;
-          glued_[edges[j].halfedge] = no_index;
-          if (j > side)
-            crowd_followers_.push_back(edges[j].halfedge);
-        }
-      }
-      if (sides > 1)
-        seam_length_ += length(edges[first].halfedge);
-      i = end;
+  }
+
+  /// Glues the edges at the same place as the first one. Returns the next at another place.
+  std::size_t glue_place(const std::vector<Edge>& edges, std::size_t first)
+  {
+    std::size_t end = first, images = 0;
+    for (; end < edges.size() && edges[end].place() == edges[first].place(); ++images) {
+      const std::size_t side = end;
+      while (end < edges.size() && edges[end].place() == edges[side].place() &&
+             edges[end].image() == edges[side].image())
+        ++end;
+      glue_image(std::span(edges).subspan(side, end - side));
+    }
+    if (images > 1)
+      seam_length_ += length(edges[first].halfedge);
+    return end;
+  }
+
+  /// Glues edges that are equal in space and in the plane.
+  void glue_image(std::span<const Edge> edges)
+  {
+    for (std::size_t j = 1; j < edges.size(); ++j) {
+      triangles_.join(edges[0].halfedge / 3, edges[j].halfedge / 3);
+      corners_.join(edges[0].from, edges[j].from);
+      corners_.join(edges[0].to, edges[j].to);
+    }
+    if (edges.size() == 2) {
+      glued_[edges[0].halfedge] = edges[1].halfedge;
+      glued_[edges[1].halfedge] = edges[0].halfedge;
+    }
+    for (std::size_t j = 0; edges.size() > 2 && j < edges.size(); ++j) {
+      is_crowded_[edges[j].halfedge] = true;
+      if (j > 0) // the first of a crowd stands for the edge when edges are counted
+        crowd_followers_.push_back(edges[j].halfedge);
     }
   }
 

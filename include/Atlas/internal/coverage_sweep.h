@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -35,6 +34,9 @@ public:
       ends_.push_back(to);
     }
   }
+
+  /// How many edges have been added.
+  std::size_t size() const { return ends_.size() / 2; }
 
   /// Whether no point is covered twice. The edges added must bound triangles, whole ones.
   bool is_covered_at_most_once()
@@ -89,12 +91,14 @@ private:
   /// Sorts the points, gives equal ones one number, and hangs every edge on its smaller end.
   void number_points()
   {
-    std::vector<Index> order(ends_.size()), number(ends_.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return ends_[a] < ends_[b]; });
-    for (const Index e : order) {
-      if (points_.empty() || points_.back() != ends_[e])
-        points_.push_back(ends_[e]);
+    std::vector<std::pair<Point_2, Index>> sorted(ends_.size());
+    std::vector<Index> number(ends_.size());
+    for (Index e = 0; e < ends_.size(); ++e)
+      sorted[e] = {ends_[e], e};
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [point, e] : sorted) {
+      if (points_.empty() || points_.back() != point)
+        points_.push_back(point);
       number[e] = static_cast<Index>(points_.size() - 1);
     }
     first_start_.assign(points_.size(), no_index);

@@ -61,6 +61,8 @@ struct Atlas_certificate
   double density_min = std::numeric_limits<double>::infinity();
   double density_max = 0;
 
+  std::vector<Index>
+      face_chart; ///< per face its chart, in the order of their first triangles; `no_index`: none
   std::vector<Index> culprits; ///< faces to blame for a fault of the triangle kind or an overlap, sorted
   bool are_culprits_complete = true; ///< `false`: the list has been capped
 
