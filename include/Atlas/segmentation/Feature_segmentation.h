@@ -17,9 +17,6 @@
 
 namespace Atlas {
 
-/// Charts merge that meet less than this share of the largest distance below their tops: the paper's
-/// epsilon = maxdist/4.
-inline constexpr double default_merge_depth = 0.25;
 /// A chart is a sock if area / perimeter^2 is greater than that of a hemisphere, 1 / (2 pi); flat charts have
 /// at most half of it.
 inline constexpr double default_sock_ratio = 0.5 / CGAL_PI;
@@ -34,9 +31,9 @@ inline constexpr double default_sock_ratio = 0.5 / CGAL_PI;
 class Feature_segmentation
 {
 public:
-  Feature_options features;                 ///< section 3.1
-  double merge_depth = default_merge_depth; ///< in [0, 1]; section 3.2
-  double sock_ratio = default_sock_ratio;   ///< the paper gives no number
+  Feature_options features;               ///< section 3.1
+  Growth_options growth;                  ///< section 3.2
+  double sock_ratio = default_sock_ratio; ///< the paper gives no number
   /// Charts of fewer triangles merge with a neighbour, if they have one. Not in the paper.
   std::size_t min_chart_triangles = 10;
   /// So do charts with less than this share of the area of the whole surface, in [0, 1]. Not in the paper.
@@ -51,16 +48,16 @@ public:
     const std::vector<std::uint8_t> is_feature = internal::detect_features(surface, piece, features);
     if (!execution.proceed(0.4))
       return unfinished(surface);
-    const internal::Distance_field field = internal::distance_to_features(surface, piece, is_feature);
+    const internal::Feature_distance field = internal::distance_to_features(surface, piece, is_feature);
     if (!execution.proceed(0.7))
       return unfinished(surface);
     internal::Chart_boundaries boundaries =
         internal::Chart_growth(surface, piece, field.triangle,
-                               internal::merge_depths(piece, field.triangle, merge_depth))
+                               internal::largest_of_component(piece, field.triangle), growth)
             .run();
     absorb(surface, piece, boundaries);
     Segmentation segmentation = boundaries.segmentation();
-    internal::Sock_cutter(surface, piece, field, segmentation).run(sock_ratio);
+    internal::Sock_cutter(surface, segmentation).run(sock_ratio, execution);
     execution.proceed(1);
     return segmentation;
   }

@@ -15,7 +15,7 @@ namespace Atlas {
 namespace internal {
 
 /// How far things are from the features.
-struct Distance_field
+struct Feature_distance
 {
   std::vector<double> vertex;   ///< per vertex of the piece
   std::vector<double> triangle; ///< per triangle
@@ -52,7 +52,7 @@ inline Index number_components(const Piece& piece, std::vector<Index>& component
 }
 
 /// Per component for which `is_chosen`, the vertex with the largest value.
-inline std::vector<Index> highest_vertices(const Distance_field& field, const std::vector<double>& value,
+inline std::vector<Index> highest_vertices(const Feature_distance& field, const std::vector<double>& value,
                                            const std::vector<std::uint8_t>& is_chosen)
 {
   std::vector<Index> highest(field.number_of_components, no_index);
@@ -67,7 +67,7 @@ inline std::vector<Index> highest_vertices(const Distance_field& field, const st
 
 /// Closed components without features: the two ends of a diameter become the highest places, and the value
 /// falls with the distance to the nearer end.
-inline void rise_towards_ends_of_diameters(Front& front, Distance_field& field)
+inline void rise_towards_ends_of_diameters(Front& front, Feature_distance& field)
 {
   std::vector<std::uint8_t> is_featureless(field.number_of_components, 1);
   for (Index v = 0; v < field.vertex.size(); ++v)
@@ -108,7 +108,7 @@ inline std::vector<double> distance_of_triangles(const Surface& surface, const P
   return result;
 }
 
-inline Distance_field distance_to_features(const Surface& surface, const Piece& piece,
+inline Feature_distance distance_to_features(const Surface& surface, const Piece& piece,
                                            const std::vector<std::uint8_t>& is_feature)
 {
   std::vector<Index> sources;
@@ -120,7 +120,7 @@ inline Distance_field distance_to_features(const Surface& surface, const Piece& 
       sources.push_back(piece.vertex[h]);
   Front front(surface, piece);
   front.run(sources);
-  Distance_field field;
+  Feature_distance field;
   field.vertex = front.distance();
   field.number_of_components = number_components(piece, field.component);
   rise_towards_ends_of_diameters(front, field);
