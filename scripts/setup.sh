@@ -26,7 +26,7 @@ apt_get() {
   local try
   for try in 1 2 3; do
     if as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 \
-        -o DPkg::Lock::Timeout=300 "$@" </dev/null >/dev/null; then
+        -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" </dev/null >/dev/null; then
       return 0
     fi
     [ "$try" -eq 3 ] || sleep $((5 * try))

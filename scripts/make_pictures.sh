@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Makes the pictures of the manual anew with texture_atlas, from meshes of Debian's package libcgal-demo; netpbm
+# makes them small.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" libcgal-demo netpbm
+build example texture_atlas
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+# small IN OUT WIDTH: scales to so many pixels and 255 colours.
+small() {
+  pngtopnm "$1" | pnmscale -width "$3" | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/$2"
+}
+
+for mesh in bunny00 camel bull; do
+  tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz "data/meshes/$mesh.off" >"$folder/$mesh.off"
+  "$atlas_root/build/example/examples/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
+    --picture "$folder/$mesh.png" >&2
+done
+small "$folder/bunny00.png" bunny.png 1400
+small "$folder/camel_page.png" camel_page.png 700
+small "$folder/camel_view.png" camel_view.png 700
+small "$folder/bull_view.png" bull_view.png 700
+ls -l "$atlas_root/doc/pictures" >&2
