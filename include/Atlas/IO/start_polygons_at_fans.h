@@ -12,9 +12,9 @@ namespace Atlas {
 
 /// \brief Turns the corners of each polygon so that it starts where the surface's fan of triangles does.
 ///
-/// Readers see a polygon as the fan from its first corner. A concave or bent polygon has one-to-one coordinates on
-/// the fan that `build_surface()` chose for it, and need not have them on another one. Most polygons stay as they
-/// are. Linear.
+/// Readers see a polygon as the fan from its first corner. A concave or bent polygon has one-to-one
+/// coordinates on the fan that `build_surface()` chose for it, and need not have them on another one. Most
+/// polygons stay as they are. Linear.
 ///
 /// \pre `surface` was built of `soup`
 inline void start_polygons_at_fans(const Surface& surface, Polygon_soup& soup)

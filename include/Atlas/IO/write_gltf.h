@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IO_WRITE_GLTF_H
+#define ATLAS_IO_WRITE_GLTF_H
+
+#include <Atlas/IO/Polygon_soup.h>
+#include <Atlas/IO/internal/Output_file.h>
+#include <Atlas/IO/split_vertices.h>
+#include <Atlas/IO/write_obj.h>
+#include <Atlas/Surface.h>
+#include <Atlas/build_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <tiny_gltf.h>
+#include <vector>
+
+namespace Atlas {
+
+namespace internal {
+
+/// \brief Builds a glTF model with one mesh: one primitive per material, all of them with the same vertices.
+class Gltf_writer
+{
+public:
+  Gltf_writer(const Polygon_soup& soup, const std::string& texture_png)
+      : soup_(soup), split_(split_vertices(soup)),
+        surface_(build_surface(soup.points, soup.first, soup.vertices))
+  {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Atlas";
+    model_.buffers.emplace_back();
+    fit_into_floats();
+    add_attributes();
+    add_texture(texture_png);
+    add_primitives();
+    add_node();
+  }
+
+  std::string bytes()
+  {
+    std::ostringstream stream(std::ios::binary);
+    tinygltf::TinyGLTF writer;
+    if (!writer.WriteGltfSceneToStream(&model_, stream, false, true))
+      throw IO_error("cannot encode the model as glTF");
+    return std::move(stream).str();
+  }
+
+private:
+  /// Positions are floats in glTF. Models that are far from the origin, or too large or small for floats, are
+  /// moved and scaled, and their node undoes it.
+  void fit_into_floats()
+  {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (const auto& triangle : surface_.triangles)
+      for (const Index v : triangle)
+        for (int k = 0; k < 3; ++k) {
+          low[k] = std::min(low[k], surface_.points[v][k]);
+          high[k] = std::max(high[k], surface_.points[v][k]);
+        }
+    double half = 0, farthest = 0;
+    for (int k = 0; k < 3; ++k) {
+      half = std::max(half, high[k] / 2 - low[k] / 2);
+      farthest = std::max(farthest, std::abs(low[k] / 2 + high[k] / 2));
+    }
+    if (half > 0 && farthest > 4 * half)
+      for (int k = 0; k < 3; ++k)
+        center_[k] = low[k] / 2 + high[k] / 2;
+    if (half > 1e18 || (half > 0 && half < 1e-18))
+      scale_ = std::ldexp(1.0, std::ilogb(half));
+  }
+
+  int add_view(const void* data, std::size_t size, int target)
+  {
+    auto& buffer = model_.buffers[0].data;
+    buffer.resize((buffer.size() + 3) / 4 * 4);
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = buffer.size();
+    view.byteLength = size;
+    view.target = target;
+    const auto* const begin = static_cast<const unsigned char*>(data);
+    buffer.insert(buffer.end(), begin, begin + size);
+    model_.bufferViews.push_back(view);
+    return static_cast<int>(model_.bufferViews.size()) - 1;
+  }
+
+  template <typename Number>
+  int add_accessor(const std::vector<Number>& values, std::size_t count, int type, int component, int target)
+  {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = add_view(values.data(), sizeof(Number) * values.size(), target);
+    accessor.componentType = component;
+    accessor.count = count;
+    accessor.type = type;
+    model_.accessors.push_back(accessor);
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+
+  int add_floats(const std::vector<float>& values, int type)
+  {
+    return add_accessor(values, split_.number_of_vertices(), type, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                        TINYGLTF_TARGET_ARRAY_BUFFER);
+  }
+
+  void add_attributes()
+  {
+    std::vector<float> positions, uv, normals, colors;
+    const auto or_zero = [](double x) { return std::isfinite(x) ? static_cast<float>(x) : 0.f; };
+    for (const Index v : split_.original)
+      for (int k = 0; k < 3; ++k)
+        positions.push_back(or_zero((soup_.points[v][k] - center_[k]) / scale_));
+    attributes_["POSITION"] = add_floats(positions, TINYGLTF_TYPE_VEC3);
+    add_bounds(positions);
+    for (const Point_2& p : split_.uv) { // the origin is top left in glTF
+      uv.push_back(or_zero(p.x()));
+      uv.push_back(or_zero(1 - p.y()));
+    }
+    if (!uv.empty())
+      attributes_["TEXCOORD_0"] = add_floats(uv, TINYGLTF_TYPE_VEC2);
+    for (const Index n : split_.normal) {
+      const Vector_3 v = n == no_index ? Vector_3(0, 0, 1) : soup_.normals[n];
+      const double length = std::sqrt(v.squared_length());
+      for (int k = 0; k < 3; ++k)
+        normals.push_back(length > 0 && std::isfinite(length) ? static_cast<float>(v[k] / length) : k == 2);
+    }
+    if (!normals.empty())
+      attributes_["NORMAL"] = add_floats(normals, TINYGLTF_TYPE_VEC3);
+    if (!soup_.colors.empty()) {
+      for (const Index v : split_.original)
+        colors.insert(colors.end(), soup_.colors[v].begin(), soup_.colors[v].end());
+      attributes_["COLOR_0"] = add_floats(colors, TINYGLTF_TYPE_VEC4);
+    }
+  }
+
+  /// The bounds of the positions, which glTF asks for.
+  void add_bounds(const std::vector<float>& positions)
+  {
+    tinygltf::Accessor& accessor = model_.accessors.back();
+    accessor.minValues.assign(3, INFINITY);
+    accessor.maxValues.assign(3, -INFINITY);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      accessor.minValues[i % 3] = std::min(accessor.minValues[i % 3], static_cast<double>(positions[i]));
+      accessor.maxValues[i % 3] = std::max(accessor.maxValues[i % 3], static_cast<double>(positions[i]));
+    }
+  }
+
+  void add_texture(const std::string& png)
+  {
+    if (png.empty())
+      return;
+    tinygltf::Image image;
+    image.mimeType = "image/png";
+    image.bufferView = add_view(png.data(), png.size(), 0);
+    model_.images.push_back(image);
+    tinygltf::Sampler sampler;
+    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    model_.samplers.push_back(sampler);
+    tinygltf::Texture texture;
+    texture.source = texture.sampler = 0;
+    model_.textures.push_back(texture);
+  }
+
+  int add_material(const std::string& name)
+  {
+    tinygltf::Material material;
+    material.name = name;
+    material.doubleSided = true; // meshes of any orientation are to be seen
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    if (!model_.textures.empty())
+      material.pbrMetallicRoughness.baseColorTexture.index = 0;
+    model_.materials.push_back(material);
+    return static_cast<int>(model_.materials.size()) - 1;
+  }
+
+  /// The triangles of each material, materials in the order in which faces name them first.
+  void add_primitives()
+  {
+    std::vector<std::vector<std::uint32_t>> lists;
+    std::vector<Index> materials;
+    std::map<Index, std::size_t> number;
+    for (std::size_t t = 0; t < surface_.number_of_triangles(); ++t) {
+      const Index material = soup_.face_material.empty() ? no_index : soup_.face_material[surface_.face[t]];
+      const auto [it, is_new] = number.try_emplace(material, lists.size());
+      if (is_new) {
+        lists.emplace_back();
+        materials.push_back(material);
+      }
+      for (std::size_t i = 0; i < 3; ++i)
+        lists[it->second].push_back(split_.corner[surface_.corner[3 * t + i]]);
+    }
+    tinygltf::Mesh mesh;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      tinygltf::Primitive primitive;
+      primitive.mode = TINYGLTF_MODE_TRIANGLES;
+      primitive.attributes = attributes_;
+      primitive.indices =
+          add_accessor(lists[i], lists[i].size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                       TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+      primitive.material =
+          add_material(materials[i] == no_index ? default_material_name : soup_.material_names[materials[i]]);
+      mesh.primitives.push_back(primitive);
+    }
+    model_.meshes.push_back(mesh);
+  }
+
+  void add_node()
+  {
+    tinygltf::Node node;
+    node.mesh = 0;
+    if (center_ != std::array<double, 3>{})
+      node.translation.assign(center_.begin(), center_.end());
+    if (scale_ != 1)
+      node.scale.assign(3, scale_);
+    model_.nodes.push_back(node);
+    tinygltf::Scene scene;
+    scene.nodes.push_back(0);
+    model_.scenes.push_back(scene);
+    model_.defaultScene = 0;
+  }
+
+  const Polygon_soup& soup_;
+  Split_vertices split_;
+  Surface surface_;
+  tinygltf::Model model_;
+  std::map<std::string, int> attributes_;
+  std::array<double, 3> center_{};
+  double scale_ = 1;
+};
+
+} // namespace internal
+
+/// \brief The bytes of a binary glTF 2.0 file (GLB) with the texture inside.
+///
+/// Polygons are triangulated, faces without a shape are left out, vertices are split where corners differ.
+/// Positions are rounded to floats; the coordinates of an atlas are floats already, and turning v upside
+/// down, as glTF wants it, rounds nothing. Normals, colours and materials are kept. Needs the library
+/// tinygltf. \param texture_png the bytes of a PNG file; empty: no texture
+inline std::string glb_bytes(const Polygon_soup& soup, const std::string& texture_png)
+{
+  return internal::Gltf_writer(soup, texture_png).bytes();
+}
+
+/// \brief Writes a binary glTF file, whole or not at all. See `glb_bytes()`.
+/// \throw IO_error
+inline void write_glb(const std::filesystem::path& path, const Polygon_soup& soup,
+                      const std::string& texture_png)
+{
+  internal::write_whole_file(path, glb_bytes(soup, texture_png));
+}
+
+} // namespace Atlas
+
+#endif
