@@ -1,2 +1,6 @@
 # SPDX-License-Identifier: MIT
 atlas_test(cut_to_discs_test)
+atlas_test(distance_to_features_test)
+atlas_test(expand_charts_test)
+atlas_test(feature_detection_test)
+atlas_test(Feature_segmentation_test)

@@ -7,7 +7,9 @@
 #include <Atlas/segmentation/internal/Piece.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -51,47 +53,92 @@ inline Index number_components(const Piece& piece, std::vector<Index>& component
   return count;
 }
 
-/// Per component for which `is_chosen`, the vertex with the largest value.
-inline std::vector<Index> highest_vertices(const Feature_distance& field, const std::vector<double>& value,
-                                           const std::vector<std::uint8_t>& is_chosen)
+/// \brief The paper's rule for closed components without features: the two ends of a diameter become the
+/// highest places, and the value falls with the distance to the nearer end.
+///
+/// A diameter is sought by sweeps from place to farthest place, and once more from the place farthest from
+/// the ends found; the longer way of the two is taken. All components at once.
+class Diameter_rule
 {
-  std::vector<Index> highest(field.number_of_components, no_index);
-  for (Index v = 0; v < value.size(); ++v) {
-    Index& best = highest[field.component[v]];
-    if (is_chosen[field.component[v]] && (best == no_index || value[v] > value[best]))
-      best = v;
+public:
+  Diameter_rule(Front& front, Feature_distance& field)
+      : front_(front), field_(field), is_featureless_(field.number_of_components, 1)
+  {
+    for (Index v = 0; v < field.vertex.size(); ++v)
+      if (front.is_reached(v))
+        is_featureless_[field.component[v]] = 0;
   }
-  std::erase(highest, no_index);
-  return highest;
-}
 
-/// Closed components without features: the two ends of a diameter become the highest places, and the value
-/// falls with the distance to the nearer end.
-inline void rise_towards_ends_of_diameters(Front& front, Feature_distance& field)
-{
-  std::vector<std::uint8_t> is_featureless(field.number_of_components, 1);
-  for (Index v = 0; v < field.vertex.size(); ++v)
-    if (front.is_reached(v))
-      is_featureless[field.component[v]] = 0;
-  const auto highest = [&](const std::vector<double>& value) {
-    return highest_vertices(field, value, is_featureless);
+  void run()
+  {
+    const std::vector<Index> first = highest(std::vector<double>(field_.vertex.size(), 0));
+    if (first.empty())
+      return;
+    Ends ends = sweep(first);
+    const Ends others = sweep(farthest_from(both(ends.a, ends.b)));
+    for (std::size_t i = 0; i < first.size(); ++i)
+      if (others.length[i] > ends.length[i]) {
+        ends.a[i] = others.a[i];
+        ends.b[i] = others.b[i];
+      }
+    std::vector<double> largest(field_.number_of_components, 0);
+    for (const Index v : farthest_from(both(ends.a, ends.b)))
+      largest[field_.component[v]] = front_.distance()[v];
+    for (Index v = 0; v < field_.vertex.size(); ++v)
+      if (is_featureless_[field_.component[v]])
+        field_.vertex[v] = largest[field_.component[v]] - front_.distance()[v];
+  }
+
+private:
+  /// Per featureless component, in order, the vertex with the largest value.
+  std::vector<Index> highest(const std::vector<double>& value) const
+  {
+    std::vector<Index> result(field_.number_of_components, no_index);
+    for (Index v = 0; v < value.size(); ++v) {
+      Index& best = result[field_.component[v]];
+      if (is_featureless_[field_.component[v]] && (best == no_index || value[v] > value[best]))
+        best = v;
+    }
+    std::erase(result, no_index);
+    return result;
+  }
+
+  std::vector<Index> farthest_from(const std::vector<Index>& vertices)
+  {
+    front_.run(vertices);
+    return highest(front_.distance());
+  }
+
+  struct Ends
+  {
+    std::vector<Index> a, b;
+    std::vector<double> length;
   };
-  std::vector<Index> ends = highest(std::vector<double>(field.vertex.size(), 0));
-  if (ends.empty())
-    return;
-  front.run(ends);
-  ends = highest(front.distance());
-  front.run(ends);
-  const std::vector<Index> others = highest(front.distance());
-  ends.insert(ends.end(), others.begin(), others.end());
-  front.run(ends);
-  std::vector<double> largest(field.number_of_components, 0);
-  for (const Index v : highest(front.distance()))
-    largest[field.component[v]] = front.distance()[v];
-  for (Index v = 0; v < field.vertex.size(); ++v)
-    if (is_featureless[field.component[v]])
-      field.vertex[v] = largest[field.component[v]] - front.distance()[v];
-}
+
+  /// From the given vertices to the farthest place, and on from there; the way never gets shorter.
+  Ends sweep(const std::vector<Index>& start)
+  {
+    constexpr int sweeps = 3;
+    Ends ends{{}, farthest_from(start), {}};
+    for (int i = 0; i < sweeps; ++i) {
+      ends.a = std::move(ends.b);
+      ends.b = farthest_from(ends.a);
+    }
+    for (const Index v : ends.b)
+      ends.length.push_back(front_.distance()[v]);
+    return ends;
+  }
+
+  static std::vector<Index> both(std::vector<Index> a, const std::vector<Index>& b)
+  {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  Front& front_;
+  Feature_distance& field_;
+  std::vector<std::uint8_t> is_featureless_;
+};
 
 /// The distance of a triangle is the mean over the corners of its input face's triangles.
 inline std::vector<double> distance_of_triangles(const Surface& surface, const Piece& piece,
@@ -109,7 +156,7 @@ inline std::vector<double> distance_of_triangles(const Surface& surface, const P
 }
 
 inline Feature_distance distance_to_features(const Surface& surface, const Piece& piece,
-                                           const std::vector<std::uint8_t>& is_feature)
+                                             const std::vector<std::uint8_t>& is_feature)
 {
   std::vector<Index> sources;
   for (Index v = 0; v < piece.number_of_vertices(); ++v)
@@ -123,7 +170,7 @@ inline Feature_distance distance_to_features(const Surface& surface, const Piece
   Feature_distance field;
   field.vertex = front.distance();
   field.number_of_components = number_components(piece, field.component);
-  rise_towards_ends_of_diameters(front, field);
+  Diameter_rule(front, field).run();
   field.triangle = distance_of_triangles(surface, piece, field.vertex);
   return field;
 }

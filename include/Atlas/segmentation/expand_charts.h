@@ -6,6 +6,7 @@
 #include <Atlas/segmentation/distance_to_features.h>
 #include <Atlas/segmentation/internal/Chart_boundaries.h>
 #include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
 #include <algorithm>
@@ -16,22 +17,35 @@
 
 namespace Atlas {
 
+/// \brief When charts that meet while they grow become one. Shares are of the largest distance to features in
+/// the connected component (the paper's maxdist), in [0, 1].
+struct Growth_options
+{
+  /// Charts merge that both rise less than that above the place where they meet: the paper's epsilon =
+  /// maxdist/4.
+  double merge_depth = 0.25;
+  /// So do charts of which one rises less than that. Not in the paper; it makes seeds that are mere noise
+  /// harmless.
+  double noise_depth = 0.01;
+};
+
 namespace internal {
 
 /// \brief Algorithm 2 of the paper: charts grow from the local maxima of a function, highest places first.
 class Chart_growth
 {
 public:
-  /// \param epsilon  per triangle: charts that meet there merge if both rise less than that above it
+  /// \param largest  per triangle: the largest distance in its component
   Chart_growth(const Surface& surface, const Piece& piece, const std::vector<double>& distance,
-               const std::vector<double>& epsilon)
-      : surface_(surface), piece_(piece), distance_(distance), epsilon_(epsilon), boundaries_(surface, piece)
+               const std::vector<double>& largest, const Growth_options& options)
+      : surface_(surface), piece_(piece), distance_(distance), largest_(largest), options_(options),
+        boundaries_(surface, piece)
   {}
 
   Chart_boundaries run()
   {
-    for (Index t = 0; t < distance_.size(); ++t)
-      if (is_local_maximum(t) && boundaries_.chart(t) == no_index)
+    for (const Index t : local_maxima())
+      if (boundaries_.chart(t) == no_index)
         start_chart(t);
     grow();
     // Values that are no numbers have no maximum.
@@ -56,16 +70,22 @@ private:
     }
   };
 
-  /// On plateaus the number decides; if there are several maxima then, their charts merge at once.
-  bool is_local_maximum(Index t) const
+  /// The first triangle of each local maximum; level ground is one place.
+  std::vector<Index> local_maxima() const
   {
-    for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      if (const Index o = piece_.opposite[h]; o != no_index) {
-        const double d = distance_[o / 3];
-        if (d > distance_[t] || (d == distance_[t] && o / 3 > t))
-          return false;
-      }
-    return true;
+    Union_find plateaus(distance_.size());
+    for (Index h = 0; h < piece_.opposite.size(); ++h)
+      if (const Index o = piece_.opposite[h]; o != no_index && distance_[h / 3] == distance_[o / 3])
+        plateaus.unite(h / 3, o / 3);
+    std::vector<std::uint8_t> is_maximum(distance_.size(), 1);
+    for (Index h = 0; h < piece_.opposite.size(); ++h)
+      if (const Index o = piece_.opposite[h]; o != no_index && distance_[o / 3] > distance_[h / 3])
+        is_maximum[plateaus.find(h / 3)] = 0;
+    std::vector<Index> result;
+    for (Index t = 0; t < distance_.size(); ++t)
+      if (is_maximum[t] && plateaus.find(t) == t)
+        result.push_back(t);
+    return result;
   }
 
   void start_chart(Index t)
@@ -115,7 +135,7 @@ private:
         boundaries_.put(o / 3, here);
         boundaries_.open(h);
         push_with_fixed_neighbors(o / 3);
-      } else if (here != there && is_shallow(here, h / 3) && is_shallow(there, h / 3)) {
+      } else if (here != there && should_merge(here, there, h / 3)) {
         const double summit = std::max(summit_[here], summit_[there]);
         summit_[boundaries_.unite(here, there)] = summit;
         boundaries_.open(h);
@@ -123,12 +143,19 @@ private:
     }
   }
 
-  bool is_shallow(Index c, Index t) const { return summit_[c] - distance_[t] < epsilon_[t]; }
+  /// Whether charts that meet at a triangle merge: both rise little above it, or one of them hardly at all.
+  bool should_merge(Index c, Index d, Index t) const
+  {
+    const auto [low, high] = std::minmax(summit_[c], summit_[d]);
+    return high - distance_[t] < options_.merge_depth * largest_[t] ||
+           low - distance_[t] < options_.noise_depth * largest_[t];
+  }
 
   const Surface& surface_;
   const Piece& piece_;
   const std::vector<double>& distance_;
-  const std::vector<double>& epsilon_;
+  const std::vector<double>& largest_;
+  Growth_options options_;
   Chart_boundaries boundaries_;
   std::vector<double> summit_; ///< per chart: max_dist of the paper
   std::priority_queue<Entry> queue_;
@@ -136,8 +163,8 @@ private:
   Index order_ = 0;
 };
 
-/// Per triangle, the given share of the largest value in its connected component.
-inline std::vector<double> merge_depths(const Piece& piece, const std::vector<double>& distance, double share)
+/// Per triangle, the largest value in its connected component.
+inline std::vector<double> largest_of_component(const Piece& piece, const std::vector<double>& distance)
 {
   std::vector<Index> component;
   std::vector<double> largest(number_components(piece, component), 0), result(distance.size());
@@ -145,7 +172,7 @@ inline std::vector<double> merge_depths(const Piece& piece, const std::vector<do
   for (Index t = 0; t < distance.size(); ++t)
     largest[component_of(t)] = std::max(largest[component_of(t)], distance[t]);
   for (Index t = 0; t < distance.size(); ++t)
-    result[t] = share * largest[component_of(t)];
+    result[t] = largest[component_of(t)];
   return result;
 }
 
@@ -154,20 +181,18 @@ inline std::vector<double> merge_depths(const Piece& piece, const std::vector<do
 /// \brief Grows charts from the local maxima of a function on the triangles until they cover the surface.
 ///
 /// Algorithm 2 of the LSCM paper. The highest triangles grow first, so that charts meet in the valleys, the
-/// features. Charts that meet less than `merge_depth` times the largest value (of the connected component)
-/// below the tops of both merge. All edges are boundaries at first; those that a chart grows across are
-/// removed, and so are loose ends, over and over: a chart that meets itself around a cylinder keeps a cut
-/// along which it borders itself, and remains a disc. Charts are numbered by their first triangles. O(n log
-/// n).
+/// features. All edges are boundaries at first; those that a chart grows across are removed, and so are loose
+/// ends, over and over: a chart that meets itself around a cylinder keeps a cut along which it borders
+/// itself, and remains a disc. (Only a closed sphere that is one chart is left without boundary.) Charts are
+/// numbered by their first triangles. O(n log n).
 ///
-/// \param distance     per triangle, the same for all triangles of a face; see distance_to_features()
-/// \param merge_depth  in [0, 1]; a quarter in the paper
+/// \param distance  per triangle, the same for all triangles of a face; see distance_to_features()
 inline Segmentation expand_charts(const Surface& surface, const std::vector<double>& distance,
-                                  double merge_depth = 0.25)
+                                  const Growth_options& options = {})
 {
   const internal::Piece piece = internal::whole_surface(surface);
-  return internal::Chart_growth(surface, piece, distance,
-                                internal::merge_depths(piece, distance, merge_depth))
+  return internal::Chart_growth(surface, piece, distance, internal::largest_of_component(piece, distance),
+                                options)
       .run()
       .segmentation();
 }

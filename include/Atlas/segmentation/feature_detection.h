@@ -30,7 +30,7 @@ struct Feature_options
   int neighborhood_rings = 1;
   /// Sharp edges are at least so many times as sharp as the median edge. Not in the paper: where curvature is
   /// spread evenly, the sharpest five percent are no features.
-  double min_contrast = 2;
+  double min_contrast = 3;
   /// Edges with a greater angle between the normals, in radians, are features whatever their length. Not in
   /// the paper; pi turns it off.
   double hard_angle = CGAL_PI;
@@ -55,6 +55,22 @@ inline std::vector<float> edge_sharpness(const Surface& surface, const Piece& pi
   return sharpness;
 }
 
+/// Edges of a threshold that many edges share (the sides of a prism, steps of a machine part) are sharp if
+/// they are about the sharpest there are; if the given share of all edges, divided by ten, is sharper, they
+/// are not.
+inline float step_over_plateau(const std::vector<float>& values, float threshold, double share)
+{
+  constexpr float tolerance = 0.01f;
+  const auto count_from = [&](float least) {
+    return static_cast<double>(
+        std::count_if(values.begin(), values.end(), [&](float v) { return v >= least; }));
+  };
+  const double wanted = share * static_cast<double>(values.size());
+  const float above = threshold * (1 + tolerance);
+  return count_from(threshold * (1 - tolerance)) > 2 * wanted && count_from(above) > wanted / 10 ? above
+                                                                                                 : threshold;
+}
+
 /// The least angle of a sharp edge: the quantile of the given share, but above the median by the contrast,
 /// and above rounding.
 inline float sharpness_threshold(const Surface& surface, const Piece& piece,
@@ -72,8 +88,9 @@ inline float sharpness_threshold(const Surface& surface, const Piece& piece,
     std::nth_element(values.begin(), k, values.end());
     return *k;
   };
-  const float share = quantile(1 - std::clamp(options.sharp_edge_share, 0., 1.));
-  return std::max({share, static_cast<float>(options.min_contrast) * quantile(0.5), rounding});
+  const double share = std::clamp(options.sharp_edge_share, 0., 1.);
+  return std::max({step_over_plateau(values, quantile(1 - share), share),
+                   static_cast<float>(options.min_contrast) * quantile(0.5), rounding});
 }
 
 inline std::vector<std::uint8_t> detect_features(const Surface& surface, const Piece& piece,

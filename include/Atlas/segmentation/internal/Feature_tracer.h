@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ public:
       : surface_(surface), piece_(piece), sharpness_(sharpness), threshold_(threshold),
         max_string_length_(max_string_length), min_feature_length_(min_feature_length),
         neighborhood_rings_(neighborhood_rings), is_feature_(piece.opposite.size(), 0),
-        is_blocked_(piece.opposite.size(), 0)
+        is_blocked_(piece.opposite.size(), 0), is_on_curve_(piece.opposite.size(), 0)
   {
     list_sharpest_edges();
     for (const float s : sharpness)
@@ -34,7 +35,7 @@ public:
   {
     std::vector<std::pair<float, Index>> starts;
     for (Index h = 0; h < sharpness_.size(); ++h)
-      if (piece_.opposite[h] != no_index && h < piece_.opposite[h] && sharpness_[h] >= threshold_)
+      if (piece_.opposite[h] != no_index && h < piece_.opposite[h] && sharpness_[h] >= threshold_ * rounding)
         starts.emplace_back(-sharpness_[h], h);
     std::sort(starts.begin(), starts.end());
     for (const auto& [s, h] : starts)
@@ -47,6 +48,8 @@ public:
   }
 
 private:
+  /// On models where many edges are equally sharp, the threshold is that very angle.
+  static constexpr float rounding = 0.999f;
   /// A string goes on along one of so many sharpest edges of a vertex; bounds the search at vertices of high
   /// degree and leaves it complete at all others.
   static constexpr Index max_branches = 10;
@@ -73,28 +76,37 @@ private:
 
   Vector_3 direction(Index h) const { return surface_.point(next_halfedge(h)) - surface_.point(h); }
 
-  void block(Index h, std::uint8_t value) { is_blocked_[h] = is_blocked_[piece_.opposite[h]] = value; }
+  void block(Index h) { is_blocked_[h] = is_blocked_[piece_.opposite[h]] = 1; }
+
+  void mark_on_curve(Index h, std::uint8_t value)
+  {
+    is_on_curve_[h] = is_on_curve_[piece_.opposite[h]] = value;
+  }
 
   void expand_feature_curve(Index start)
   {
     std::vector<Index> curve{start};
-    block(start, 1);
-    for (const Index side : {start, piece_.opposite[start]})
-      for (Index h = side;;) {
-        const auto [sharpness, second] = sharpest_string(h);
-        if (second == no_index || !(sharpness > static_cast<float>(max_string_length_) * threshold_))
-          break;
-        h = second;
+    mark_on_curve(start, 1);
+    for (const Index side : {start, piece_.opposite[start]}) {
+      float sharpness = 0;
+      Index h = side;
+      do {
+        std::tie(sharpness, h) = sharpest_string(h);
+        if (h == no_index || is_on_curve_[h])
+          break; // a closed curve ends where it meets itself
         curve.push_back(h);
-        block(h, 1); // a closed curve ends where it meets itself
-      }
-    if (static_cast<int>(curve.size()) > min_feature_length_) {
-      for (const Index h : curve)
-        is_feature_[h] = is_feature_[piece_.opposite[h]] = 1;
-      block_neighborhood(curve);
-    } else
-      for (const Index h : curve)
-        block(h, 0);
+        mark_on_curve(h, 1);
+      } while (sharpness >= static_cast<float>(max_string_length_) * threshold_ * rounding);
+    }
+    for (const Index h : curve)
+      mark_on_curve(h, 0);
+    if (static_cast<int>(curve.size()) <= min_feature_length_)
+      return;
+    for (const Index h : curve) {
+      is_feature_[h] = is_feature_[piece_.opposite[h]] = 1;
+      block(h);
+    }
+    block_neighborhood(curve);
   }
 
   /// The sharpness of the sharpest string that starts with h, and its second halfedge.
@@ -138,7 +150,7 @@ private:
           const Index h = piece_.outgoing[k];
           if (piece_.opposite[h] == no_index || is_blocked_[h])
             continue;
-          block(h, 1);
+          block(h);
           beyond.push_back(piece_.head(h));
         }
       front.swap(beyond);
@@ -154,7 +166,8 @@ private:
   std::vector<Index> first_branch_,
       branches_; ///< per vertex: its sharpest outgoing halfedges, sharpest first
   std::vector<std::uint8_t> is_feature_;
-  std::vector<std::uint8_t> is_blocked_; ///< on the present curve, a feature, or near one
+  std::vector<std::uint8_t> is_blocked_;  ///< a feature or near one
+  std::vector<std::uint8_t> is_on_curve_; ///< on the present curve
 };
 
 } // namespace Atlas::internal

@@ -2,87 +2,93 @@
 #ifndef ATLAS_SEGMENTATION_INTERNAL_CUT_SOCKS_H
 #define ATLAS_SEGMENTATION_INTERNAL_CUT_SOCKS_H
 
+#include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
-#include <Atlas/segmentation/distance_to_features.h>
+#include <Atlas/extract_charts.h>
+#include <Atlas/segmentation/internal/Front.h>
 #include <Atlas/segmentation/internal/Piece.h>
 #include <Atlas/segmentation/internal/triangle_geometry.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
 
 /// \brief Cuts charts like socks (capped cylinders) from the seed to the border, along the steepest descent.
+///
+/// Distances are to the border of the chart: the same as to the features if they are all on the border, and
+/// where a feature ends inside a chart the cut still begins at the tip and reaches the border.
 class Sock_cutter
 {
 public:
-  Sock_cutter(const Surface& surface, const Piece& piece, const Distance_field& field,
-              Segmentation& segmentation)
-      : surface_(surface), piece_(piece), field_(field), segmentation_(segmentation)
+  Sock_cutter(const Surface& surface, Segmentation& segmentation)
+      : surface_(surface), segmentation_(segmentation), local_(surface.number_of_triangles())
   {}
 
-  /// A sock has area / perimeter^2 greater than that. Linear.
-  void run(double sock_ratio)
+  /// A sock has area / perimeter^2 greater than that. O(n log n).
+  void run(double sock_ratio, const Execution& execution)
   {
-    struct Measure
-    {
-      double area = 0, perimeter = 0;
-      Index seed = no_index;
-    };
-    std::vector<Measure> measures(segmentation_.number_of_charts);
-    for (Index t = 0; t < surface_.number_of_triangles(); ++t) {
-      Measure& m = measures[segmentation_.chart[t]];
-      m.area += triangle_area(surface_, t);
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (!segmentation_.is_glued(surface_, h))
-          m.perimeter += edge_length(surface_, h);
-      if (m.seed == no_index || field_.triangle[t] > field_.triangle[m.seed])
-        m.seed = t;
-    }
-    for (const Measure& m : measures)
-      if (m.perimeter > 0 && m.area > sock_ratio * m.perimeter * m.perimeter)
-        cut_from(m.seed);
+    std::vector<std::vector<Index>> lists = triangles_of_charts(segmentation_);
+    std::vector<std::vector<Index>> cuts(lists.size());
+    execution.for_each(lists.size(), [&](std::size_t c) {
+      if (is_sock(lists[c], sock_ratio))
+        cuts[c] = path_from_tip(std::move(lists[c]));
+    });
+    for (const std::vector<Index>& path : cuts)
+      for (const Index h : path)
+        segmentation_.cut[h] = segmentation_.cut[surface_.opposite[h]] = 1;
   }
 
 private:
-  double height(Index h) const { return field_.vertex[piece_.vertex[h]]; }
-
-  void cut_from(Index seed)
+  bool is_sock(const std::vector<Index>& triangles, double ratio) const
   {
-    Index h = 3 * seed;
-    for (Index k = h + 1; k < 3 * seed + 3; ++k)
-      if (height(k) > height(h))
-        h = k;
-    std::vector<Index> path;
-    for (Index v = piece_.vertex[h]; !is_on_border(v); v = piece_.head(path.back())) {
-      const Index down = steepest_descent(v);
-      if (down == no_index)
-        return;
-      path.push_back(down);
+    double area = 0, perimeter = 0;
+    for (const Index t : triangles) {
+      area += triangle_area(surface_, t);
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (!segmentation_.is_glued(surface_, h))
+          perimeter += edge_length(surface_, h);
     }
-    for (const Index p : path)
-      segmentation_.cut[p] = segmentation_.cut[piece_.opposite[p]] = 1;
+    return perimeter > 0 && area > ratio * perimeter * perimeter;
   }
 
-  bool is_on_border(Index v) const
+  /// Halfedges of the surface; none if the way is barred.
+  std::vector<Index> path_from_tip(std::vector<Index> triangles)
   {
-    for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k)
-      if (!segmentation_.is_glued(surface_, piece_.outgoing[k]))
-        return true;
-    return false;
+    const Piece chart = make_piece(
+        surface_, std::move(triangles), [&](Index h) { return segmentation_.is_glued(surface_, h); }, local_);
+    std::vector<Index> border;
+    for (Index v = 0; v < chart.number_of_vertices(); ++v)
+      if (chart.is_on_border[v])
+        border.push_back(v);
+    Front front(surface_, chart);
+    front.run(border);
+    const std::vector<double>& height = front.distance();
+    Index v = static_cast<Index>(std::max_element(height.begin(), height.end()) - height.begin());
+    std::vector<Index> path;
+    while (!chart.is_on_border[v]) {
+      const Index down = steepest_descent(chart, height, v);
+      if (down == no_index)
+        return {};
+      path.push_back(chart.global(down));
+      v = chart.head(down);
+    }
+    return path;
   }
 
-  Index steepest_descent(Index v) const
+  Index steepest_descent(const Piece& chart, const std::vector<double>& height, Index v) const
   {
     Index best = no_index;
     double steepest = 0;
-    for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k) {
-      const Index h = piece_.outgoing[k];
-      const double fall = height(h) - field_.vertex[piece_.head(h)];
-      if (!(fall > 0) || must_not_cut(surface_, h))
+    for (Index k = chart.first[v]; k < chart.first[v + 1]; ++k) {
+      const Index h = chart.outgoing[k];
+      const double fall = height[v] - height[chart.head(h)];
+      if (!(fall > 0) || must_not_cut(surface_, chart.global(h)))
         continue;
-      const double slope = fall / edge_length(surface_, h);
+      const double slope = fall / edge_length(surface_, chart.global(h));
       if (best == no_index || slope > steepest) {
         steepest = slope;
         best = h;
@@ -92,9 +98,8 @@ private:
   }
 
   const Surface& surface_;
-  const Piece& piece_;
-  const Distance_field& field_;
   Segmentation& segmentation_;
+  std::vector<Index> local_;
 };
 
 } // namespace Atlas::internal

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <Atlas/segmentation/feature_detection.h>
+
+#include "segmentation_shapes.h"
+
+namespace Atlas {
+namespace {
+
+using test::Soup;
+
+std::size_t number_of_features(const std::vector<std::uint8_t>& is_feature)
+{
+  return static_cast<std::size_t>(std::count(is_feature.begin(), is_feature.end(), 1)) / 2;
+}
+
+/// Marks edges of a flat sheet as sharp and runs Algorithm 1 on them: creases along the middle row.
+class Creases : public testing::Test
+{
+protected:
+  static constexpr Index m = 60, n = 10;
+
+  /// The number of features found with sharp edges at the given places of the row.
+  std::vector<Index> run(const std::function<bool(Index)>& is_sharp, int rings = 1)
+  {
+    sharpness_.assign(surface_.opposite.size(), 0.01f);
+    for (Index i = 0; i < m; ++i)
+      if (is_sharp(i))
+        sharpness_[edge(i, n / 2)] = sharpness_[surface_.opposite[edge(i, n / 2)]] = 1;
+    return trace(rings);
+  }
+
+  /// Places in the middle row where features are, and m + j for features anywhere else.
+  std::vector<Index> trace(int rings)
+  {
+    internal::Feature_tracer tracer(surface_, piece_, sharpness_, 0.5f, 5, 15, rings);
+    is_feature_ = tracer.run(CGAL_PI);
+    std::vector<Index> found;
+    for (Index h = 0; h < surface_.opposite.size(); ++h)
+      if (is_feature_[h]) {
+        EXPECT_TRUE(is_feature_[surface_.opposite[h]]);
+        Index place = m + h;
+        for (Index i = 0; i < m; ++i)
+          if (edge(i, n / 2) == h || surface_.opposite[edge(i, n / 2)] == h)
+            place = i;
+        found.push_back(place);
+      }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The halfedge from column i to i + 1 on row j, seen from the cell above.
+  static Index edge(Index i, Index j) { return 3 * (2 * (j * m + i)); }
+
+  static std::vector<Index> range(Index a, Index b)
+  {
+    std::vector<Index> r(b - a);
+    std::iota(r.begin(), r.end(), a);
+    return r;
+  }
+
+  Surface surface_ = test::surface_of(test::planar_grid(m, n));
+  internal::Piece piece_ = internal::whole_surface(surface_);
+  std::vector<float> sharpness_;
+  std::vector<std::uint8_t> is_feature_;
+};
+
+TEST_F(Creases, A_long_one_is_followed_to_its_ends)
+{
+  // The string that leaves the end may hang over by as many edges as keep its mean above the threshold.
+  const std::vector<Index> found = run([](Index i) { return i >= 10 && i < 40; });
+  ASSERT_FALSE(found.empty());
+  for (const Index i : range(10, 40))
+    EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i)) << i;
+  EXPECT_LE(found.size(), 30u + 2 * 3);
+}
+
+TEST_F(Creases, Fifteen_edges_and_less_are_noise)
+{
+  EXPECT_TRUE(run([](Index i) { return i >= 10 && i < 20; }).empty());
+}
+
+TEST_F(Creases, Short_gaps_are_bridged_and_long_ones_are_not)
+{
+  const auto covers = [](const std::vector<Index>& found, Index a, Index b) {
+    const std::vector<Index> all = range(a, b);
+    return std::includes(found.begin(), found.end(), all.begin(), all.end());
+  };
+  EXPECT_TRUE(covers(run([](Index i) { return i >= 10 && i < 50 && i != 29 && i != 30; }), 10, 50));
+  const std::vector<Index> found = run([](Index i) { return i >= 5 && i < 55 && (i < 25 || i >= 35); });
+  EXPECT_TRUE(covers(found, 5, 25));
+  EXPECT_TRUE(covers(found, 35, 55));
+  EXPECT_FALSE(covers(found, 25, 35));
+}
+
+TEST_F(Creases, Neighborhoods_keep_further_features_away)
+{
+  // Three sharp rows side by side, the middle one sharpest: one feature.
+  const auto three_rows = [&](int rings) {
+    sharpness_.assign(surface_.opposite.size(), 0.01f);
+    for (Index i = 0; i < m; ++i)
+      for (Index j : {n / 2 - 1, n / 2, n / 2 + 1})
+        sharpness_[edge(i, j)] = sharpness_[surface_.opposite[edge(i, j)]] = j == n / 2 ? 1.f : 0.8f;
+    return trace(rings).size();
+  };
+  EXPECT_EQ(three_rows(2), m);
+  EXPECT_GE(three_rows(0), 2 * m);
+}
+
+TEST(Feature_detection, The_rims_of_a_cylinder)
+{
+  for (const bool quads : {false, true}) {
+    const Surface surface = test::surface_of(test::capped_cylinder(quads));
+    const std::vector<std::uint8_t> is_feature = detect_features(surface);
+    EXPECT_EQ(number_of_features(is_feature), 2 * 48u);
+    for (Index h = 0; h < is_feature.size(); ++h)
+      if (is_feature[h]) {
+        const Point_3 &p = surface.point(h), &q = surface.point(next_halfedge(h));
+        EXPECT_EQ(p.z(), q.z());
+        EXPECT_TRUE(p.z() == 0 || p.z() == 3);
+        EXPECT_FALSE(surface.is_diagonal(h));
+      }
+  }
+}
+
+TEST(Feature_detection, Even_curvature_has_no_features)
+{
+  EXPECT_EQ(number_of_features(detect_features(test::surface_of(test::sphere(4)))), 0u);
+  EXPECT_EQ(number_of_features(detect_features(test::surface_of(test::ellipsoid(2)))), 0u);
+  EXPECT_EQ(number_of_features(detect_features(test::surface_of(test::planar_grid(30, 30)))), 0u);
+}
+
+TEST(Feature_detection, Hard_angle_takes_short_features_too)
+{
+  const Surface surface = test::surface_of(test::cube());
+  EXPECT_EQ(number_of_features(detect_features(surface)), 0u);
+  Feature_options options;
+  options.hard_angle = 1;
+  EXPECT_EQ(number_of_features(detect_features(surface, options)), 12u);
+}
+
+TEST(Feature_detection, Filtered_normals_find_the_edges_of_a_noisy_cube)
+{
+  const Index n = 24;
+  const Soup exact = test::noisy_cube(n, 0), noisy = test::noisy_cube(n, 0.15 / n);
+  const Surface clean = test::surface_of(exact), surface = test::surface_of(noisy);
+  const auto is_on_edge = [&](Index h) {
+    const Index o = clean.opposite[h];
+    return internal::angle_between(internal::unit_normal(clean, h / 3), internal::unit_normal(clean, o / 3)) >
+           1;
+  };
+  const auto hits_and_misses = [&](int rounds) {
+    Feature_options options;
+    options.normal_filter_rounds = rounds;
+    const std::vector<std::uint8_t> is_feature = detect_features(surface, options);
+    std::pair<int, int> count{0, 0};
+    for (Index h = 0; h < is_feature.size(); ++h)
+      if (is_feature[h] && h < surface.opposite[h])
+        ++(is_on_edge(h) ? count.first : count.second);
+    return count;
+  };
+  const auto [hits, misses] = hits_and_misses(5);
+  EXPECT_GE(hits, static_cast<int>(12 * n * 8 / 10));
+  EXPECT_LE(misses, static_cast<int>(n));
+}
+
+TEST(Feature_detection, Scale_does_not_matter_and_wishes_do)
+{
+  Soup soup = test::glove();
+  Surface surface = test::surface_of(soup);
+  const std::vector<std::uint8_t> is_feature = detect_features(surface);
+  EXPECT_GT(number_of_features(is_feature), 4 * 28u);
+  for (Point_3& p : soup.points)
+    p = Point_3(p.x() * 0x1p-20, p.y() * 0x1p-20, p.z() * 0x1p-20);
+  EXPECT_EQ(detect_features(test::surface_of(soup)), is_feature);
+  surface.constraint.assign(surface.opposite.size(), Edge_constraint::no_seam);
+  EXPECT_EQ(number_of_features(detect_features(surface)), 0u);
+}
+
+} // namespace
+} // namespace Atlas
