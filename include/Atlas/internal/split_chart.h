@@ -4,6 +4,7 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/internal/Chart_graph.h>
+#include <Atlas/validation/overlaps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +162,24 @@ inline std::vector<Index> cut_off(const Chart& chart, const Chart_graph& graph, 
       parts[t] = 1 + zone.number_of_pieces + r;
   }
   return parts;
+}
+
+/// Parts such that the given overlaps are between different ones, if they are complete.
+inline std::vector<Index> split_overlap(const Chart& chart, const Chart_graph& graph,
+                                        const Overlaps& overlaps)
+{
+  if (overlaps.pairs.empty())
+    return std::vector<Index>(graph.size(), 0);
+  const Overlapped_zone zone(graph, overlaps.pairs);
+  if (overlaps.is_complete && !zone.overlaps_itself())
+    return cut_off(chart, graph, zone);
+
+  // The sheets hang together inside the zone: part them between two triangles far apart that overlap.
+  const std::vector<double> distance = graph.distances(overlaps.pairs.front().first);
+  const auto span = [&](const auto& p) { return std::abs(distance[p.first] - distance[p.second]); };
+  const auto [s, t] = *std::max_element(overlaps.pairs.begin(), overlaps.pairs.end(),
+                                        [&](const auto& p, const auto& q) { return span(p) < span(q); });
+  return nearer_of(graph.distances(s), graph.distances(t));
 }
 
 /// The same parts with numbers 0, 1, ... in the order of their first triangle.

@@ -4,14 +4,13 @@
 
 #include <Atlas/concepts.h>
 #include <Atlas/internal/area_in_space.h>
+#include <Atlas/internal/chart_densities.h>
 #include <Atlas/internal/split_chart.h>
 #include <Atlas/validation/overlaps.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,7 +56,7 @@ public:
     if (verdict.is_valid())
       verdict = check_overlap(chart, execution);
     if (verdict.is_valid())
-      verdict = check_area_ratio(chart);
+      verdict = internal::Chart_densities(chart, area_quantile_).check(max_area_ratio_);
     if (execution.is_cancelled())
       verdict = {Chart_status::cancelled, {}};
     return verdict;
@@ -86,9 +85,10 @@ public:
       return parts;
     if (check_numbers(chart).is_valid()) {
       if (verdict.status == Chart_status::overlapping)
-        parts = split_overlap(chart, graph);
+        parts =
+            internal::split_overlap(chart, graph, find_overlaps(triangles_uv(chart), Execution(), max_pairs));
       else if (verdict.status == Chart_status::area_ratio_exceeded)
-        parts = split_densities(chart, graph);
+        parts = internal::Chart_densities(chart, area_quantile_).split(graph);
       else if (verdict.status == Chart_status::flipped)
         parts = internal::cut_through(graph, verdict.culprits);
     }
@@ -100,9 +100,6 @@ public:
 private:
   /// Pairs that are enough to see the overlapped zone.
   static constexpr std::size_t max_pairs = 200'000;
-  /// A step to a triangle of the density at the other end of the range is so many times longer.
-  static constexpr double density_cost = 8;
-
   static std::vector<Triangle_uv> triangles_uv(const Chart& chart)
   {
     std::vector<Triangle_uv> result;
@@ -149,102 +146,8 @@ private:
     if (is_overlap_free(triangles, internal::opposite_halfedges(chart.triangles)))
       return verdict;
     verdict.status = Chart_status::overlapping;
-    for (const auto& [s, t] : find_overlaps(triangles, execution, max_pairs).pairs) {
-      verdict.culprits.push_back(s);
-      verdict.culprits.push_back(t);
-    }
-    std::sort(verdict.culprits.begin(), verdict.culprits.end());
-    verdict.culprits.erase(std::unique(verdict.culprits.begin(), verdict.culprits.end()),
-                           verdict.culprits.end());
+    verdict.culprits = triangles_of(find_overlaps(triangles, execution, max_pairs));
     return verdict;
-  }
-
-  /// Per triangle the logarithm of (area in space / area in the plane); NaN where there is no area in space.
-  static std::vector<double> log_densities(const Chart& chart)
-  {
-    std::vector<double> result(chart.number_of_triangles(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t t = 0; t < result.size(); ++t) {
-      const auto& [a, b, c] = chart.triangles[t];
-      if (has_area(chart, t))
-        result[t] = 0.5 * std::log(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c])) -
-                    std::log(CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]));
-    }
-    return result;
-  }
-
-  /// The triangles of smallest and largest density, when the quantile has been left out at either end.
-  std::pair<Index, Index> extreme_triangles(const Chart& chart, const std::vector<double>& densities) const
-  {
-    std::vector<Index> order;
-    double total = 0;
-    const auto area = [&](Index t) {
-      const auto& [a, b, c] = chart.triangles[t];
-      return std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c]));
-    };
-    for (Index t = 0; t < densities.size(); ++t)
-      if (std::isfinite(densities[t])) {
-        order.push_back(t);
-        total += area(t);
-      }
-    if (order.empty())
-      return {no_index, no_index};
-    std::sort(order.begin(), order.end(), [&](Index s, Index t) {
-      return densities[s] != densities[t] ? densities[s] < densities[t] : s < t;
-    });
-    const auto at_share = [&](auto first, auto last) {
-      double sum = area(*first);
-      while (sum <= area_quantile_ * total && std::next(first) != last)
-        sum += area(*++first);
-      return *first;
-    };
-    return {at_share(order.begin(), order.end()), at_share(order.rbegin(), order.rend())};
-  }
-
-  Chart_verdict check_area_ratio(const Chart& chart) const
-  {
-    Chart_verdict verdict;
-    if (max_area_ratio_ == 0 || std::isinf(max_area_ratio_))
-      return verdict;
-    const std::vector<double> densities = log_densities(chart);
-    const auto [low, high] = extreme_triangles(chart, densities);
-    if (low != no_index && densities[high] - densities[low] > std::log(max_area_ratio_))
-      verdict = {Chart_status::area_ratio_exceeded, {std::min(low, high), std::max(low, high)}};
-    return verdict;
-  }
-
-  static std::vector<Index> split_overlap(const Chart& chart, const internal::Chart_graph& graph)
-  {
-    const Overlaps overlaps = find_overlaps(triangles_uv(chart), Execution(), max_pairs);
-    if (overlaps.pairs.empty())
-      return std::vector<Index>(graph.size(), 0);
-    const internal::Overlapped_zone zone(graph, overlaps.pairs);
-    if (overlaps.is_complete && !zone.overlaps_itself())
-      return internal::cut_off(chart, graph, zone);
-
-    // The two sheets hang together inside the zone: part them between two triangles far apart that overlap.
-    std::vector<double> distance = graph.distances(overlaps.pairs.front().first);
-    const auto span = [&](const std::pair<Index, Index>& p) {
-      return std::abs(distance[p.first] - distance[p.second]);
-    };
-    const auto far = *std::max_element(overlaps.pairs.begin(), overlaps.pairs.end(),
-                                       [&](const auto& p, const auto& q) { return span(p) < span(q); });
-    return internal::nearer_of(graph.distances(far.first), graph.distances(far.second));
-  }
-
-  std::vector<Index> split_densities(const Chart& chart, const internal::Chart_graph& graph) const
-  {
-    const std::vector<double> densities = log_densities(chart);
-    const auto [low, high] = extreme_triangles(chart, densities);
-    if (low == no_index || low == high)
-      return std::vector<Index>(graph.size(), 0);
-    const double range = densities[high] - densities[low];
-    const auto distances = [&](Index seed) {
-      return graph.distances(seed, [&](Index t) {
-        const double off = std::abs(densities[t] - densities[seed]) / range;
-        return std::isfinite(off) ? 1 + density_cost * std::min(off, 1.0) : 1.0;
-      });
-    };
-    return internal::nearer_of(distances(low), distances(high));
   }
 
   double max_area_ratio_;

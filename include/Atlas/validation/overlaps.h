@@ -30,6 +30,19 @@ struct Overlaps
   bool is_complete = true; ///< `false` if the search was stopped: there may be more pairs than listed
 };
 
+/// The triangles that occur in pairs, each once, sorted.
+inline std::vector<Index> triangles_of(const Overlaps& overlaps)
+{
+  std::vector<Index> result;
+  for (const auto& [s, t] : overlaps.pairs) {
+    result.push_back(s);
+    result.push_back(t);
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 /// \brief Whether the interiors of two counterclockwise triangles intersect. Exact.
 ///
 /// Two convex sets with interiors have disjoint interiors if and only if a line separates them, and for
