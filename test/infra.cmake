@@ -100,6 +100,21 @@ add_test(NAME Package.HeadersIncludeOnlyWhatTheirRoomMay
 add_test(NAME Package.EveryFileHasItsLicenceLine
          COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_licence_lines.sh)
 
+# Every test source is listed in a room's file; asked once all of them have been read.
+function(atlas_check_test_lists)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
+  set(unlisted)
+  foreach(source IN LISTS sources)
+    get_filename_component(name ${source} NAME_WE)
+    if(NOT TARGET ${name})
+      string(APPEND unlisted " ${name}")
+    endif()
+  endforeach()
+  add_test(NAME Package.EveryTestIsListed COMMAND ${CMAKE_COMMAND} -E echo "not listed:${unlisted}")
+  set_tests_properties(Package.EveryTestIsListed PROPERTIES PASS_REGULAR_EXPRESSION "not listed:[\r\n]*$")
+endfunction()
+cmake_language(DEFER CALL atlas_check_test_lists)
+
 # The package as others use it: installed, and as a subdirectory.
 set(consumer ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 add_test(NAME Package.Install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${consumer}/prefix)
