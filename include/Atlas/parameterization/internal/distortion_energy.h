@@ -15,7 +15,7 @@ namespace Atlas::internal {
 
 /// What an isotropic energy says of one triangle. The map is z -> f z + g conj(z) there; r = |f|, s = |g|,
 /// and the singular values are r + s and r - s.
-struct Distortion
+struct Triangle_energy
 {
   double value;
   double dr, ds;           ///< derivatives
@@ -37,13 +37,13 @@ struct Symmetric_dirichlet
   /// h(x) = x^2 + x^-2. In place of h'' stands the secant h'(x) / (x - 1), the curvature of the parabola with
   /// this slope and its minimum at 1: it is what SLIM (Rabinovich et al. 2017) takes, is equal to h'' at 1,
   /// and leads strongly compressed triangles to 1 at once, where Newton's method needs many steps.
-  static Distortion derivatives(double r, double s)
+  static Triangle_energy derivatives(double r, double s)
   {
     const double x = r + s, y = r - s;
     const auto slope = [](double z) { return 2 * z - 2 / (z * z * z); };
     const auto secant = [](double z) { return 2 * (z + 1) * (z * z + 1) / (z * z * z); };
     const double hx = slope(x), hy = slope(y), kx = secant(x), ky = secant(y);
-    Distortion result;
+    Triangle_energy result;
     result.value = x * x + y * y + 1 / (x * x) + 1 / (y * y);
     result.dr = hx + hy;
     result.ds = hx - hy;
