@@ -3,16 +3,15 @@
 #include <Atlas/IO/draw_atlas.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_png.h>
+#include <Atlas/IO/write_report.h>
 #include <Atlas/build_surface.h>
 #include <Atlas/validation/certify.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace {
@@ -26,41 +25,6 @@ struct Arguments
   unsigned threads = 0;
   bool is_json = false;
 };
-
-/// Distances and densities of nothing are infinite, which JSON has no word for: null.
-nlohmann::ordered_json number(double x)
-{
-  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
-}
-
-nlohmann::ordered_json to_json(const Atlas::Atlas_certificate& c)
-{
-  return {{"valid", c.is_valid()},
-          {"message", Atlas::message(c)},
-          {"faces", c.faces},
-          {"triangles", c.triangles},
-          {"rejected_faces", c.rejected_faces},
-          {"texture_size", {c.width, c.height}},
-          {"not_finite", c.not_finite},
-          {"flipped", c.flipped},
-          {"degenerate", c.degenerate},
-          {"corners_outside", c.corners_outside},
-          {"overlap_free", c.is_overlap_free},
-          {"overlaps_in_charts", c.overlaps_in_charts},
-          {"overlaps_between_charts", c.overlaps_between_charts},
-          {"overlaps_complete", c.are_overlaps_complete},
-          {"charts", c.charts},
-          {"non_disc_charts", c.non_disc_charts},
-          {"mirrored_charts", c.mirrored_charts},
-          {"seam_length", number(c.seam_length)},
-          {"gutter", c.gutter},
-          {"chart_distance", number(c.chart_distance)},
-          {"page_border_distance", number(c.page_border_distance)},
-          {"density_min", number(c.density_min)},
-          {"density_max", number(c.density_max)},
-          {"culprits", c.culprits},
-          {"culprits_complete", c.are_culprits_complete}};
-}
 
 void print(const Atlas::Atlas_certificate& c)
 {
@@ -97,7 +61,7 @@ int run(const Arguments& arguments)
     Atlas::write_png(arguments.picture,
                      Atlas::draw_atlas(soup, certificate.face_chart, 1024, certificate.culprits));
   if (arguments.is_json)
-    std::cout << to_json(certificate).dump(2) << '\n';
+    std::cout << Atlas::to_json(certificate).dump(2) << '\n';
   else
     print(certificate);
   if (!std::cout.flush())

@@ -33,6 +33,8 @@ inline Json to_json(const Atlas_certificate& c)
 {
   return {{"is_valid", c.is_valid()},
           {"message", message(c)},
+          {"faces", c.faces},
+          {"rejected_faces", c.rejected_faces},
           {"triangles", c.triangles},
           {"not_finite", c.not_finite},
           {"flipped", c.flipped},
@@ -41,14 +43,18 @@ inline Json to_json(const Atlas_certificate& c)
           {"is_overlap_free", c.is_overlap_free},
           {"overlaps_in_charts", c.overlaps_in_charts},
           {"overlaps_between_charts", c.overlaps_between_charts},
+          {"are_overlaps_complete", c.are_overlaps_complete},
           {"charts", c.charts},
           {"non_disc_charts", c.non_disc_charts},
           {"mirrored_charts", c.mirrored_charts},
+          {"seam_length", c.seam_length},
+          {"gutter_texels", c.gutter},
           {"chart_distance_texels", c.chart_distance},
           {"page_border_distance_texels", c.page_border_distance},
           {"texels_per_unit_min", c.density_min},
           {"texels_per_unit_max", c.density_max},
-          {"culprits", c.culprits}};
+          {"culprits", c.culprits},
+          {"are_culprits_complete", c.are_culprits_complete}};
 }
 
 /// \brief The report as JSON. Faces and charts count from 0, in the order of the input; numbers that are not
