@@ -5,7 +5,10 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/render_model.h>
 #include <Atlas/IO/start_polygons_at_fans.h>
+#include <Atlas/IO/write_gltf.h>
+#include <Atlas/IO/write_html_report.h>
 #include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/write_ply.h>
 #include <Atlas/IO/write_png.h>
 #include <Atlas/IO/write_report.h>
 #include <Atlas/generate_atlas.h>
@@ -96,9 +99,10 @@ void complete(Options& options)
   if (options.output.empty())
     options.output = fs::path(options.mesh).stem().string() + "_atlas.obj";
   const std::string extension = fs::path(options.output).extension().string();
-  const bool is_special = fs::exists(options.output) && !fs::is_regular_file(options.output);
-  if (extension != ".obj" && extension != ".OBJ" && !is_special)
-    throw CLI::ValidationError("--output", "the name of the model must end in .obj: " + options.output);
+  const bool is_device = fs::exists(options.output) && !fs::is_regular_file(options.output);
+  if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
+    throw CLI::ValidationError("--output",
+                               "the name of the model must end in .obj, .glb or .ply: " + options.output);
   if (!(options.gutter * 2 < options.texture_size)) // not a number fails too
     throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
                                                CLI::detail::to_string(options.gutter) + " texels");
@@ -165,38 +169,85 @@ Atlas::Image side_by_side(const Atlas::Image& left, const Atlas::Image& right)
   return image;
 }
 
+/// Files that appear together, and their names.
+class Outputs
+{
+public:
+  void add(const fs::path& path, const std::string& bytes)
+  {
+    files_.add(path, bytes);
+    names_.push_back(path.string());
+  }
+
+  /// Gives the files their names, which are returned.
+  const std::vector<std::string>& commit()
+  {
+    files_.commit();
+    return names_;
+  }
+
+private:
+  Atlas::internal::Output_files files_;
+  std::vector<std::string> names_;
+};
+
+/// The model in the format that its extension names, with its texture.
+void add_model(Outputs& outputs, const fs::path& output, const Atlas::Polygon_soup& model,
+               const Atlas::Image& texture)
+{
+  const fs::path library = beside(output, ".mtl"), picture = beside(output, "_checkerboard.png");
+  const std::string png = Atlas::png_bytes(texture);
+  if (output.extension() == ".glb") {
+    outputs.add(output, Atlas::glb_bytes(model, png));
+    return;
+  }
+  if (output.extension() == ".ply") {
+    outputs.add(output, Atlas::ply_bytes(model, picture.filename().string()));
+  } else {
+    outputs.add(output, Atlas::obj_text(model, library.filename().string()));
+    outputs.add(library, Atlas::mtl_text(model, picture.filename().string()));
+  }
+  outputs.add(picture, png);
+}
+
+void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
+                  const Atlas::Image& texture, const Atlas::Atlas_report& report)
+{
+  const fs::path output = options.output;
+  const std::vector<double> stretch =
+      Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
+  Atlas::Report_pictures pictures;
+  pictures.page = Atlas::draw_atlas(model, report.face_chart, 1024, report.certificate.culprits);
+  pictures.stretch = Atlas::draw_stretch(model, stretch);
+  pictures.view = Atlas::render_model(model, texture);
+  outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
+  outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
+  outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
+  outputs.add(beside(output, ".html"),
+              Atlas::html_report(model, report, pictures, fs::path(options.mesh).filename().string()));
+  if (!options.picture.empty())
+    outputs.add(options.picture, Atlas::png_bytes(side_by_side(pictures.page, pictures.view)));
+}
+
 /// Writes everything or nothing. Returns the names of what has been written.
 std::vector<std::string> write_outputs(const Options& options, const Atlas::Polygon_soup& model,
                                        const Atlas::Atlas_report& report, const Atlas::Json& json)
 {
-  Atlas::internal::Output_files files;
-  std::vector<std::string> names;
-  const auto add = [&](const fs::path& path, const std::string& bytes) {
-    files.add(path, bytes);
-    names.push_back(path.string());
-  };
+  Outputs outputs;
   const fs::path output = options.output;
   const bool is_device = fs::exists(output) && !fs::is_regular_file(output); // then nothing lies beside it
   if (is_device) {
-    add(output, Atlas::obj_text(model, ""));
+    outputs.add(output, Atlas::obj_text(model, ""));
   } else {
-    const fs::path library = beside(output, ".mtl"), texture = beside(output, "_checkerboard.png");
-    add(output, Atlas::obj_text(model, library.filename().string()));
-    add(library, Atlas::mtl_text(model, texture.filename().string()));
     const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
     const Atlas::Image checkerboard = Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
-    const Atlas::Image page = Atlas::draw_atlas(model, report.face_chart, 1280, report.certificate.culprits);
-    const Atlas::Image view = Atlas::render_model(model, checkerboard);
-    add(texture, Atlas::png_bytes(checkerboard));
-    add(beside(output, "_page.png"), Atlas::png_bytes(page));
-    add(beside(output, "_view.png"), Atlas::png_bytes(view));
-    if (!options.picture.empty())
-      add(options.picture, Atlas::png_bytes(side_by_side(page, view)));
+    add_model(outputs, output, model, checkerboard);
+    add_pictures(outputs, options, model, checkerboard, report);
   }
   if (!is_device || !options.report.empty())
-    add(options.report.empty() ? beside(output, ".json") : fs::path(options.report), Atlas::json_text(json));
-  files.commit();
-  return names;
+    outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
+                Atlas::json_text(json));
+  return outputs.commit();
 }
 
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
@@ -210,11 +261,14 @@ void print_table(const Options& options, const Atlas::Polygon_soup& model, const
   std::printf(
       "distortion    stretch L2 %.3f, Linf %.2f; angles %.3f (1 is conformal); areas %.3f (1 is equal)\n",
       d.l2_stretch, d.linf_stretch, d.quasi_conformal_mean, d.area_mean);
-  std::printf("packing       %.1f %% of the page covered, %.4g texels per unit, charts %.2f texels apart\n",
-              100 * report.packing_efficiency, report.density, c.chart_distance);
-  std::printf("verdict       %s: %zu flipped, %zu flat, %zu overlapping, %zu of %zu faces without a shape\n",
-              report.is_valid() ? "valid" : "NOT VALID", c.flipped, c.degenerate,
-              c.overlaps_in_charts + c.overlaps_between_charts, report.rejected.size(), report.faces);
+  std::printf("packing       %.1f %% of the page covered, %.4g texels per unit",
+              100 * report.packing_efficiency, report.density);
+  if (report.charts.size() > 1)
+    std::printf(", charts %.2f texels apart", c.chart_distance);
+  std::printf(
+      "\nverdict       %s: %zu flipped, %zu flat, %zu overlapping, %zu of %zu faces without a shape\n",
+      report.is_valid() ? "valid" : "NOT VALID", c.flipped, c.degenerate,
+      c.overlaps_in_charts + c.overlaps_between_charts, report.rejected.size(), report.faces);
 }
 
 void print_times(const Atlas::Atlas_report& report, double reading, double writing)

@@ -48,7 +48,7 @@ f 3 7 8 4
 f 1 5 7 3
 f 2 4 8 6
 CUBE
-all=(.obj .mtl _checkerboard.png _page.png _view.png .json)
+all=(.obj .mtl _checkerboard.png _page.png _stretch.png _view.png .json .html)
 
 # The main job, with all options.
 expect 0 0 cube.obj -o out/a.obj
@@ -65,10 +65,18 @@ python3 -c 'import json, sys; r = json.load(open("out/a.json")); sys.exit(not (r
 files "${all[@]/#/a}"
 expect 0 0 cube.obj -o out/b.obj --texture-size 256 --gutter 4 --report out/r.json --threads 2 --picture out/p.png --quiet
 [ -s stdout ] && fail "--quiet prints"
-files b.obj b.mtl b_checkerboard.png b_page.png b_view.png r.json p.png
+files b.obj b.mtl b_checkerboard.png b_page.png b_stretch.png b_view.png b.html r.json p.png
 (cd out && expect 0 0 ../cube.obj && rm stdout stderr)
 files "${all[@]/#/cube_atlas}"
 expect 0 4 cube.obj -o out/c.obj --progress
+rm out/*
+
+# The other formats.
+for format in glb ply; do
+  expect 0 0 cube.obj -o out/a.$format
+  expect 0 0 out/a.$format -o out/again.obj
+  [ "$(grep -c '^f ' out/again.obj)" -ge 6 ] || fail "faces lost on the way over $format"
+done
 rm out/*
 
 # The same bytes for any number of threads.

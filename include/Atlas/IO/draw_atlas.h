@@ -4,6 +4,7 @@
 
 #include <Atlas/IO/Image.h>
 #include <Atlas/IO/Polygon_soup.h>
+#include <Atlas/IO/internal/color_scale.h>
 #include <Atlas/IO/internal/fill_polygon.h>
 #include <Atlas/IO/internal/hue.h>
 #include <Atlas/IO/internal/index_uv.h>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -141,6 +143,47 @@ inline Image draw_atlas(const Polygon_soup& soup, const std::vector<Index>& face
     painter.draw_inner_edges();
   painter.draw_borders({40, 40, 48});
   return painter.picture();
+}
+
+/// The stretch at which the scale of heat ends.
+inline constexpr double hottest_stretch = 2;
+
+/// The colour of a stretch as `face_stretch()` gives it: 1 is cool, `hottest_stretch` and more is hot, grey
+/// unknown.
+inline Color color_of_stretch(double stretch)
+{
+  return std::isfinite(stretch) ? internal::color_of_heat(std::log(stretch) / std::log(hottest_stretch))
+                                : Color{128, 128, 128};
+}
+
+/// \brief A picture of the page with faces coloured by their stretch. \see face_stretch()
+/// \param size pixels a side
+inline Image draw_stretch(const Polygon_soup& soup, const std::vector<double>& stretch,
+                          std::size_t size = 1024)
+{
+  internal::Atlas_painter painter(soup, size);
+  painter.fill_faces([&](std::size_t f) { return color_of_stretch(stretch[f]); });
+  painter.draw_borders({40, 40, 48});
+  return painter.picture();
+}
+
+/// The picture with the scale of `color_of_stretch()` below it.
+inline Image with_stretch_scale(const Image& picture)
+{
+  const std::size_t size = picture.width, dot = std::max<std::size_t>(size / 320, 1);
+  Image image(size, picture.height + size / 12);
+  paste(picture, image, 0, 0);
+  const std::size_t left = size / 8, width = size - 2 * left, top = picture.height + size / 60,
+                    bottom = top + size / 40;
+  for (std::size_t x = 0; x < width; ++x)
+    for (std::size_t y = top; y < bottom; ++y)
+      image.at(left + x, y) = internal::color_of_heat(static_cast<double>(x) / static_cast<double>(width));
+  for (const auto& [text, value] : std::initializer_list<std::pair<const char*, double>>{
+           {"1", 1}, {"1.2", 1.2}, {"1.4", 1.4}, {"1.6", 1.6}, {"1.8", 1.8}, {"2", 2}}) {
+    const double x = std::log(value) / std::log(hottest_stretch) * static_cast<double>(width);
+    internal::draw_number(image, text, left + static_cast<std::size_t>(x) - 4 * dot, bottom + 2 * dot, dot);
+  }
+  return image;
 }
 
 } // namespace Atlas
