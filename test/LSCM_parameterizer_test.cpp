@@ -3,6 +3,7 @@
 #include <Atlas/concepts.h>
 #include <Atlas/parameterization/Conjugate_gradient_LSCM_traits.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/parameterization/internal/block_system.h>
 
 #include <Eigen/Dense>
 
@@ -276,6 +277,90 @@ TEST(LSCM, conjugate_gradients_on_the_papers_matrix_agree)
   ASSERT_EQ(lscm.parameterize(chart, Execution(), record), Chart_status::valid);
   for (Index v = 0; v < chart.uv.size(); ++v)
     EXPECT_LT((chart.uv[v] - expected.uv[v]).squared_length(), 1e-20);
+}
+
+TEST(LSCM, the_multifrontal_solver_agrees_with_eigen)
+{
+  // A ring cut open has many border vertices; a square has few.
+  for (const Chart& chart :
+       {wavy(3, 2), wavy(40, 30), test::chart_of(test::grid(90, 3, [](double x, double y) {
+          return Point_3((1 + y) * std::cos(6 * x), (1 + y) * std::sin(6 * x), x * y);
+        }))}) {
+    Chart a = chart, b = chart;
+    LSCM_record record;
+    const LSCM_parameterizer<Basic_LSCM_traits<internal::Hermitian_LDLT<double>>> eigen;
+    const LSCM_parameterizer<Basic_LSCM_traits<internal::Hermitian_multifrontal>> multifrontal;
+    ASSERT_EQ(eigen.parameterize(a, Execution()), Chart_status::valid);
+    ASSERT_EQ(multifrontal.parameterize(b, Execution(), record), Chart_status::valid);
+    EXPECT_LT(record.residual, 1e-9);
+    for (Index v = 0; v < a.uv.size(); ++v)
+      EXPECT_LT((a.uv[v] - b.uv[v]).squared_length(), 1e-20);
+  }
+}
+
+TEST(Multifrontal_cholesky, solves_hermitian_and_block_systems)
+{
+  // Random positive definite matrices on the graph of a chart, against Eigen's dense solver.
+  const Chart chart = wavy(9, 7);
+  const internal::Graph graph = internal::vertex_graph(chart);
+  const auto n = static_cast<Eigen::Index>(graph.size());
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-1, 1);
+  Eigen::MatrixXcd dense = Eigen::MatrixXcd::Zero(n, n);
+  std::vector<Complex> entries(graph.neighbor.size());
+  for (Eigen::Index v = 0; v < n; ++v) {
+    dense(v, v) = 9;
+    for (std::size_t k = graph.first[v]; k < graph.first[v + 1]; ++k)
+      if (graph.neighbor[k] > v) {
+        const Complex z(value(random), graph.neighbor[k] % 3 == 0 ? value(random) : 0);
+        dense(v, graph.neighbor[k]) = z;
+        dense(graph.neighbor[k], v) = std::conj(z);
+      }
+    for (std::size_t k = graph.first[v]; k < graph.first[v + 1]; ++k)
+      entries[k] = dense(v, graph.neighbor[k]);
+  }
+  const internal::Supernodal_symbolic symbolic(graph, internal::approximate_minimum_degree(graph));
+  internal::Multifrontal_cholesky<1> cholesky(symbolic);
+  for (int round = 0; round < 2; ++round) { // the second reuses the memory of the first
+    ASSERT_TRUE(cholesky.factorize(
+        [](Index, auto add) { add(0, 0, 9.); },
+        [&](std::size_t k, auto add) { add(0, 0, std::conj(entries[symbolic.lower_source(k)])); },
+        [&](std::size_t k) { return entries[symbolic.lower_source(k)].imag() != 0; }));
+    Eigen::VectorXcd b = Eigen::VectorXcd::Random(n);
+    std::vector<Complex> x(n);
+    for (Index c = 0; c < x.size(); ++c)
+      x[c] = b[symbolic.vertex(c)];
+    ASSERT_TRUE(cholesky.solve(x));
+    const Eigen::VectorXcd expected = dense.ldlt().solve(b);
+    for (Index c = 0; c < x.size(); ++c)
+      EXPECT_LT(std::abs(x[c] - expected[symbolic.vertex(c)]), 1e-12);
+  }
+  EXPECT_FALSE(cholesky.factorize([](Index, auto add) { add(0, 0, -9.); },
+                                  [&](std::size_t, auto add) { add(0, 0, Complex(0)); },
+                                  [](std::size_t) { return false; }));
+
+  internal::Block_system system(chart);
+  Eigen::MatrixXd blocks = Eigen::MatrixXd::Identity(2 * n, 2 * n) * 50;
+  for (Index v = 0; v < graph.size(); ++v)
+    system.add(v, {50, 0, 0, 50});
+  for (Index t = 0; t < chart.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const std::array<double, 4> block{value(random), value(random), value(random), value(random)};
+      system.add(t, i, block);
+      const Index v = chart.triangles[t][i], w = chart.triangles[t][(i + 1) % 3];
+      for (int r = 0; r < 2; ++r)
+        for (int c = 0; c < 2; ++c) {
+          blocks(2 * v + r, 2 * w + c) += block[2 * r + c];
+          blocks(2 * w + c, 2 * v + r) += block[2 * r + c];
+        }
+    }
+  const Eigen::VectorXd right = Eigen::VectorXd::Random(2 * n), solution = blocks.ldlt().solve(right);
+  std::vector<Complex> x(n);
+  for (Eigen::Index v = 0; v < n; ++v)
+    x[v] = {right[2 * v], right[2 * v + 1]};
+  ASSERT_TRUE(system.solve(x));
+  for (Eigen::Index v = 0; v < n; ++v)
+    EXPECT_LT(std::abs(x[v] - Complex(solution[2 * v], solution[2 * v + 1])), 1e-12);
 }
 
 TEST(LSCM, degenerate_triangles_do_not_spoil_their_neighbours)

@@ -83,8 +83,11 @@ public:
     if (execution.is_cancelled())
       return Chart_status::cancelled;
     record.start = Flattening_start::tutte;
-    if (Tutte_parameterizer().parameterize(chart, execution) == Chart_status::valid)
-      return optimize(chart, execution, record);
+    if (Tutte_parameterizer().parameterize(chart, execution) == Chart_status::valid) {
+      const Chart_status status = optimize(chart, execution, record);
+      if (status == Chart_status::cancelled || record.distortion.after < hopeless)
+        return status;
+    }
     record.start = Flattening_start::schnyder;
     if (const Chart_status status = Schnyder_parameterizer().parameterize(chart, execution);
         status != Chart_status::valid)
@@ -93,6 +96,9 @@ public:
   }
 
 private:
+  /// Mean energy of a chart of which parts shrank to almost nothing in Tutte's map and could not recover.
+  static constexpr double hopeless = 1e6;
+
   bool try_first(Chart& chart, const Execution& execution, Flattening_record& record) const
   {
     if (first_.parameterize(chart, execution) != Chart_status::valid || execution.is_cancelled())

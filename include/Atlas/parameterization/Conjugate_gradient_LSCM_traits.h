@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -98,20 +97,7 @@ private:
 ///
 /// For study: the condition of LSCM grows with the square of the number of vertices, so that direct solvers
 /// win at every size.
-class Conjugate_gradient_LSCM_traits
-{
-public:
-  using Number_type = double;
-  using Solver = internal::Conjugate_gradient_solver;
-
-  Conjugate_gradient_LSCM_traits() = default;
-  explicit Conjugate_gradient_LSCM_traits(std::vector<LSCM_pin> pins) : pins_(std::move(pins)) {}
-
-  const std::vector<LSCM_pin>& pins(const Chart&) const { return pins_; }
-
-private:
-  std::vector<LSCM_pin> pins_;
-};
+using Conjugate_gradient_LSCM_traits = Basic_LSCM_traits<internal::Conjugate_gradient_solver>;
 
 } // namespace Atlas
 

@@ -6,8 +6,11 @@
 #include <Atlas/parameterization/internal/border.h>
 #include <Atlas/parameterization/internal/conformal_energy.h>
 #include <Atlas/parameterization/internal/hermitian_ldlt.h>
+#include <Atlas/parameterization/internal/hermitian_multifrontal.h>
 
 #include <concepts>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -59,22 +62,50 @@ concept LSCMTraits = LSCMSolver<typename T::Solver> && requires(const T& traits,
     } -> std::convertible_to<std::vector<LSCM_pin>>;
 };
 
-/// \brief The default traits: complex LDLT on Eigen alone.
-class Eigen_LSCM_traits
+namespace internal {
+
+/// Eigen's complex LDLT for small systems, the mixed multifrontal factorization for large ones.
+class Hermitian_solver
 {
 public:
-  using Number_type = double;
-  using Solver = internal::Hermitian_LDLT<Number_type>;
+  /// From so many unknowns on dense fronts win over their overhead.
+  static constexpr std::size_t large = 4000;
 
-  Eigen_LSCM_traits() = default;
+  bool factorize(const LSCM_system& system, const Execution& execution)
+  {
+    is_large_ = system.number_of_columns >= large;
+    return is_large_ ? multifrontal_.factorize(system, execution) : ldlt_.factorize(system, execution);
+  }
+  bool solve(std::vector<Complex>& b) const { return is_large_ ? multifrontal_.solve(b) : ldlt_.solve(b); }
+
+private:
+  bool is_large_ = false;
+  Hermitian_LDLT<double> ldlt_;
+  Hermitian_multifrontal multifrontal_;
+};
+
+} // namespace internal
+
+/// \brief Traits with a solver of one's choice.
+template <LSCMSolver Solver_, typename Number_type_ = double>
+class Basic_LSCM_traits
+{
+public:
+  using Number_type = Number_type_;
+  using Solver = Solver_;
+
+  Basic_LSCM_traits() = default;
   /// Pins for the one chart that will be flattened.
-  explicit Eigen_LSCM_traits(std::vector<LSCM_pin> pins) : pins_(std::move(pins)) {}
+  explicit Basic_LSCM_traits(std::vector<LSCM_pin> pins) : pins_(std::move(pins)) {}
 
   const std::vector<LSCM_pin>& pins(const Chart&) const { return pins_; }
 
 private:
   std::vector<LSCM_pin> pins_;
 };
+
+/// \brief The default: direct solvers that need nothing but Eigen.
+using Eigen_LSCM_traits = Basic_LSCM_traits<internal::Hermitian_solver>;
 
 } // namespace Atlas
 

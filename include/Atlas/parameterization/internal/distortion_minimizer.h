@@ -18,6 +18,10 @@
 
 namespace Atlas::internal {
 
+/// Thinner triangles are optimised as if they were this high, relative to their longest edge, so that they
+/// have area left when their coordinates are rounded to single precision.
+inline constexpr double least_optimized_height = 1e-4;
+
 /// \brief Minimises an isotropic distortion energy over the maps of a chart without flips, by Newton's method
 /// with positive semidefinite blocks. Once the border is simple it stays so.
 template <typename Energy>
@@ -25,9 +29,9 @@ class Distortion_minimizer
 {
 public:
   Distortion_minimizer(const Chart_geometry& geometry, std::vector<Complex> u)
-      : geometry_(geometry), chart_(geometry.chart()), rest_(rest_triangles(geometry, least_relative_height)),
-        checker_(chart_), system_(chart_), barrier_(geometry, checker_.borders()), u_(std::move(u)),
-        gradient_(u_.size())
+      : geometry_(geometry), chart_(geometry.chart()),
+        rest_(rest_triangles(geometry, least_optimized_height)), checker_(chart_), system_(chart_),
+        barrier_(geometry, checker_.borders()), u_(std::move(u)), gradient_(u_.size())
   {
     for (const Rest_triangle& rest : rest_)
       area_ += rest.area;
