@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/IO/checkerboard.h>
+#include <Atlas/IO/write_png.h>
 #include <Atlas/generate_atlas.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -17,5 +19,5 @@ int main()
   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const auto report = Atlas::generate_atlas(mesh, uv, Atlas::parameters::texture_size(1024).gutter(2));
   std::cout << report.charts.size() << " charts; " << Atlas::message(report.status) << '\n';
-  return report.is_valid() ? 0 : 1;
+  return report.is_valid() && !Atlas::png_bytes(Atlas::checkerboard(64, 4)).empty() ? 0 : 1;
 }
