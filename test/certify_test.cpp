@@ -249,6 +249,27 @@ TEST(Certify, TopologyOfCharts)
   EXPECT_EQ(b.seam_length, 0);
 }
 
+TEST(Certify, AThirdTriangleAtTheEdgeOfAPair)
+{
+  // Two triangles share an edge by vertex number, a third one has vertices of its own at the same places.
+  Soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 1}};
+  soup.polygons = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+  Layout layout(soup);
+  for (std::size_t i = 6; i < 9; ++i)
+    layout.uv[i] = Point_2(0.5, 0.125 * static_cast<double>(i - 6)); // elsewhere
+  Atlas_certificate c = layout.certificate();
+  EXPECT_EQ(c.charts, 2u);
+  EXPECT_DOUBLE_EQ(c.seam_length, std::sqrt(2.0));
+  layout.uv[6] = Point_2(0, 0);
+  layout.uv[7] = Point_2(1, 1);
+  layout.uv[8] = Point_2(0.5, 0);
+  c = layout.certificate();
+  EXPECT_EQ(c.charts, 1u);
+  EXPECT_EQ(c.non_disc_charts, 1u);
+  EXPECT_EQ(c.seam_length, 0);
+}
+
 TEST(Certify, PolygonsAreTriangulated)
 {
   const Atlas_certificate c = Layout(squares(2, 3, 0.25, 0.125, true)).certificate();

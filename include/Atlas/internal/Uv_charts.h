@@ -56,15 +56,7 @@ public:
       : surface_(surface), uv_(uv), page_(page), glued_(uv.size(), no_index), is_crowded_(uv.size(), false),
         triangles_(surface.number_of_triangles()), corners_(uv.size())
   {
-    std::vector<Index> open;
-    for (Index h = 0; h < uv.size(); ++h) {
-      const Index o = surface.opposite[h];
-      if (o == no_index)
-        open.push_back(h);
-      else if (h < o)
-        glue_pair(h, o);
-    }
-    glue_open(open);
+    glue();
     number_charts();
     find_topology();
   }
@@ -92,6 +84,34 @@ private:
   double length(Index h) const
   {
     return std::sqrt(CGAL::squared_distance(surface_.point(h), surface_.point(next_halfedge(h))));
+  }
+
+  /// Glues edges with an opposite one by one; those without, and whatever else may be at the same places in
+  /// space, place by place.
+  void glue()
+  {
+    std::vector<Index> open;
+    for (Index h = 0; h < uv_.size(); ++h)
+      if (surface_.opposite[h] == no_index && is_used(h / 3) &&
+          surface_.point(h) != surface_.point(next_halfedge(h)))
+        open.push_back(h);
+    // A bit for every open place, at an address made from it, tells nearly all others apart from them.
+    const std::size_t addresses = std::bit_ceil(16 * open.size() + 1);
+    std::vector<bool> is_open(addresses, false);
+    for (const Index h : open)
+      is_open[hash_of_place(h) & (addresses - 1)] = true;
+    const bool has_open = !open.empty();
+    for (Index h = 0; h < uv_.size(); ++h) {
+      const Index o = surface_.opposite[h];
+      if (o == no_index || o < h)
+        continue;
+      if (has_open && is_used(h / 3) && is_used(o / 3) && is_open[hash_of_place(h) & (addresses - 1)] &&
+          surface_.point(h) != surface_.point(next_halfedge(h)))
+        open.insert(open.end(), {h, o});
+      else
+        glue_pair(h, o);
+    }
+    glue_places(open);
   }
 
   void glue_pair(Index h, Index o)
@@ -147,13 +167,12 @@ private:
 
   /// Edges that are not shared by exactly two consistently oriented triangles: those at the same place in
   /// space are one edge, on which all triangles with equal coordinates are glued, whichever way they run.
-  void glue_open(const std::vector<Index>& open)
+  void glue_places(const std::vector<Index>& halfedges)
   {
     std::vector<std::pair<std::uint64_t, Index>> hashes;
-    hashes.reserve(open.size());
-    for (const Index h : open)
-      if (is_used(h / 3) && surface_.point(h) != surface_.point(next_halfedge(h)))
-        hashes.emplace_back(hash_of_place(h), h);
+    hashes.reserve(halfedges.size());
+    for (const Index h : halfedges)
+      hashes.emplace_back(hash_of_place(h), h);
     std::sort(hashes.begin(), hashes.end());
     std::vector<Edge> edges;
     for (std::size_t i = 0, end = 0; i < hashes.size(); i = end) {
