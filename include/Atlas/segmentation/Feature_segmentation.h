@@ -57,7 +57,7 @@ public:
             .run();
     absorb(surface, piece, boundaries);
     Segmentation segmentation = boundaries.segmentation();
-    internal::Sock_cutter(surface, segmentation).run(sock_ratio, execution);
+    internal::cut_socks(surface, sock_ratio, segmentation, execution);
     execution.proceed(1);
     return segmentation;
   }
