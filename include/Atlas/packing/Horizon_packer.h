@@ -4,6 +4,7 @@
 
 #include <Atlas/concepts.h>
 #include <Atlas/packing/internal/horizon_layout.h>
+#include <Atlas/packing/internal/pack_pages.h>
 
 #include <span>
 
@@ -28,9 +29,11 @@ class Horizon_packer
 public:
   Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
   {
-    const internal::Outlines outlines = internal::outlines_of(charts, execution);
-    return internal::packing_of(
-        outlines, internal::horizon_layout(outlines, page, internal::Horizon_source::outline, execution));
+    const auto layout = [](const internal::Outlines& outlines, const Page_options& one, double most_scale,
+                           const Execution& e) {
+      return internal::horizon_layout(outlines, one, internal::Horizon_source::outline, most_scale, e);
+    };
+    return internal::pack_pages(charts, page, layout, execution);
   }
 };
 

@@ -3,13 +3,10 @@
 #define ATLAS_PACKING_RASTER_PACKER_H
 
 #include <Atlas/concepts.h>
-#include <Atlas/packing/internal/Packing_search.h>
-#include <Atlas/packing/internal/horizon_layout.h>
+#include <Atlas/packing/internal/pack_pages.h>
+#include <Atlas/packing/internal/raster_layout.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 namespace Atlas {
 
@@ -42,76 +39,29 @@ public:
 
   Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
   {
-    const internal::Outlines outlines = internal::outlines_of(charts, execution);
-    const auto fallback =
-        internal::horizon_layout(outlines, page, internal::Horizon_source::outline, execution);
-    Packing packing = internal::packing_of(outlines, fallback);
-    if (!fallback || outlines.area <= 0)
-      return packing;
-    internal::Packing_problem problem = make_problem(outlines, page, *fallback, execution);
-    const internal::Shape_layout layout = search(problem, execution);
-    if (layout.scale <= fallback->scale || execution.is_cancelled())
-      return packing;
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < outlines.size(); ++i) {
-      if (outlines.charts[i].is_empty())
-        continue;
-      packing.placements[i] = outlines.placement(
-          i, layout.scale, internal::rotated(layout.turns[k], problem.shapes[k].frame), layout.positions[k]);
-      ++k;
-    }
-    packing.density = layout.scale * outlines.unit;
-    return packing;
+    const auto layout = [this](const internal::Outlines& outlines, const Page_options& one, double most_scale,
+                               const Execution& e) {
+      return internal::raster_layout(outlines, one, budget(), most_scale, e);
+    };
+    return internal::pack_pages(charts, page, layout, execution);
   }
 
 private:
-  static constexpr unsigned number_of_searches = 4;
-
-  static internal::Packing_problem make_problem(const internal::Outlines& outlines, const Page_options& page,
-                                                const internal::Layout& fallback, const Execution& execution)
+  internal::Search_budget budget() const
   {
-    internal::Packing_problem problem;
-    for (const internal::Outline& outline : outlines.charts)
-      if (!outline.is_empty())
-        problem.outlines.push_back(&outline);
-    problem.width = page.width;
-    problem.height = page.height;
-    problem.gutter = 2 * fallback.margin;
-    problem.turns = internal::rotations(16);
-    const double side = std::sqrt(problem.width * problem.height);
-    problem.tolerance = 0.05;
-    const double scale = std::sqrt(0.75 * problem.width * problem.height / outlines.area);
-    internal::Shape_resolution resolution;
-    resolution.tolerance = problem.tolerance / scale;
-    resolution.spacing = 4.0 / 1024 * side / scale;
-    resolution.cell = side / 512 / scale;
-    resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
-    resolution.cells_per_chart = problem.outlines.size() > 2000 ? 12 : 20;
-    problem.shapes.resize(problem.outlines.size());
-    execution.for_each(problem.shapes.size(), [&](std::size_t i) {
-      problem.shapes[i] = internal::packing_shape(*problem.outlines[i], resolution, true);
-    });
-    problem.masks.emplace(problem.shapes, internal::rotations(8), problem.scale_of_share(0.8),
-                          problem.pixel(), problem.grown(), execution);
-    return problem;
-  }
-
-  internal::Shape_layout search(const internal::Packing_problem& problem, const Execution& execution) const
-  {
-    std::vector<internal::Packing_search> searches;
-    for (unsigned k = 0; k < number_of_searches; ++k)
-      searches.emplace_back(problem, k);
-    execution.for_each(searches.size(), [&](std::size_t k) { searches[k].start(); });
-    const std::uint64_t round = 100'000'000;
-    const unsigned rounds = effort_ == Packing_effort::fast ? 0 : effort_ == Packing_effort::normal ? 4 : 40;
-    for (unsigned r = 0; r < rounds && execution.proceed(double(r) / rounds); ++r)
-      execution.for_each(searches.size(),
-                         [&](std::size_t k) { searches[k].run(searches[k].work() + round); });
-    internal::Shape_layout best;
-    for (const auto& s : searches)
-      if (s.best().scale > best.scale)
-        best = s.best();
-    return best;
+    internal::Search_budget result;
+    switch (effort_) {
+    case Packing_effort::fast:
+      result.rounds = 0;
+      break;
+    case Packing_effort::normal:
+      result.rounds = 4;
+      break;
+    case Packing_effort::best:
+      result.rounds = 60;
+      break;
+    }
+    return result;
   }
 
   Packing_effort effort_;

@@ -82,7 +82,11 @@ public:
   bool relax(int sweeps)
   {
     double checkpoint = HUGE_VAL;
+    Shape_layout previous;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
+      if (sweep > 0)
+        coast(previous);
+      previous = layout_;
       update_pairs();
       double worst = 0, sum = 0;
       for (Index i = 0; i < layout_.positions.size(); ++i)
@@ -96,7 +100,7 @@ public:
       if (worst <= options_.tolerance)
         return true;
       if (sweep % 12 == 11) { // no use in going on without progress
-        if (sum > 0.7 * checkpoint)
+        if (sum > progress * checkpoint)
           return false;
         checkpoint = sum;
       }
@@ -105,10 +109,16 @@ public:
   }
 
 private:
+  static constexpr double momentum = 0.9;   ///< share of its last motion that a shape goes on with
+  static constexpr double look_ahead = 3.0; ///< in texels: nearer samples than gutter and this are listed
+  static constexpr double progress = 0.7;   ///< what is left after twelve sweeps, or it is given up
+
   struct Pair
   {
     Index i, j;
-    double clear_until; ///< travel of both up to which nothing can be nearer than the gutter
+    double clear_until = -1; ///< travel of both up to which nothing can be nearer than the gutter
+    double known_until = -1; ///< travel of both up to which no other samples than those of the lists can be
+    std::vector<Index> samples_of_i = {}, samples_of_j = {}; ///< near the other shape
   };
   struct Contact
   {
@@ -153,6 +163,17 @@ private:
     travel_[i] += length(m.shift) + std::abs(m.turn) * (*shapes_)[i].radius * layout_.scale;
   }
 
+  /// Repeats a part of the last motion of each shape.
+  void coast(const Shape_layout& previous)
+  {
+    for (Index i = 0; i < layout_.positions.size(); ++i) {
+      const Vec2 shift = layout_.positions[i] - previous.positions[i];
+      const Vec2 a = previous.turns[i], b = layout_.turns[i];
+      if (shift.x != 0 || shift.y != 0 || !(a == b))
+        apply(i, {momentum * shift, momentum * std::atan2(cross(a, b), dot(a, b))});
+    }
+  }
+
   /// Lists the pairs whose circles come near to each other, when a shape may have come near to a new one.
   void update_pairs()
   {
@@ -177,7 +198,7 @@ private:
         const Vec2 d = layout_.positions[i] - layout_.positions[j];
         const double r = reach(i) + reach(j) + skin(i) + skin(j);
         if (dot(d, d) <= r * r)
-          pairs.push_back({std::min(i, j), std::max(i, j), -1});
+          pairs.push_back({std::min(i, j), std::max(i, j)});
       }
     }
     work_ += 20 * pairs.size() + 20 * n;
@@ -189,37 +210,57 @@ private:
       else if (less(pairs_[b], pairs[a]))
         ++b;
       else
-        pairs[a++].clear_until = pairs_[b++].clear_until;
+        pairs[a++] = std::move(pairs_[b++]);
     }
     pairs_ = std::move(pairs);
     reference_ = travel_;
   }
   double skin(Index i) const { return 0.1 * reach(i); }
 
-  /// Collects the samples of shape a that are too near to shape b; lowers `clearance` to what is free.
-  void collect(Index a, Index b, double sign, double wanted, double& clearance)
+  /// How shape a lies in the frame of shape b.
+  struct Relation
   {
-    const Packing_shape &from = (*shapes_)[a], &to = (*shapes_)[b];
-    const double s = layout_.scale;
+    Vec2 turn, shift;
+    Vec2 operator()(Vec2 p) const { return rotated(turn, p) + shift; }
+  };
+  Relation relation(Index a, Index b) const
+  {
     const Vec2 back{layout_.turns[b].x, -layout_.turns[b].y};
-    const Vec2 turn = rotated(back, layout_.turns[a]);
-    const Vec2 shift = rotated((1 / s) * back, layout_.positions[a] - layout_.positions[b]);
-    const double slack = 0.5 * to.field.cell();
-    const double horizon = (wanted + 0.05 * std::min(reach(a), reach(b))) / s + slack;
+    return {rotated(back, layout_.turns[a]),
+            rotated((1 / layout_.scale) * back, layout_.positions[a] - layout_.positions[b])};
+  }
+
+  /// Lists the samples of shape a that are nearer to shape b than `distance`, in texels.
+  void list_samples(Index a, Index b, double distance, std::vector<Index>& list)
+  {
+    list.clear();
+    const Packing_shape &from = (*shapes_)[a], &to = (*shapes_)[b];
+    const Relation place = relation(a, b);
+    const double horizon = distance / layout_.scale + 0.5 * to.field.cell();
     for (Index k = 0; k < from.nodes.size();) {
       const auto& node = from.nodes[k];
       work_ += 12;
-      const double d = to.field.sample(rotated(turn, node.centre) + shift).distance - node.radius;
-      if (d > horizon) {
-        clearance = std::min(clearance, (d - slack) * s - wanted);
+      if (to.field.sample(place(node.centre)).distance - node.radius > horizon) {
         k = node.skip;
         continue;
       }
-      if (node.skip == k + 1)
+      if (node.skip == k + 1) {
+        work_ += 12 * (node.end - node.begin);
         for (Index i = node.begin; i < node.end; ++i)
-          collect_sample(b, rotated(turn, from.samples[i]) + shift, sign, wanted, clearance);
+          if (to.field.sample(place(from.samples[i])).distance <= horizon)
+            list.push_back(i);
+      }
       ++k;
     }
+  }
+
+  /// Collects the contacts of the listed samples of shape a with shape b; lowers `clearance` to what is free.
+  void collect(Index a, Index b, const std::vector<Index>& list, double sign, double wanted,
+               double& clearance)
+  {
+    const Relation place = relation(a, b);
+    for (const Index i : list)
+      collect_sample(b, place((*shapes_)[a].samples[i]), sign, wanted, clearance);
   }
 
   void collect_sample(Index b, Vec2 p, double sign, double wanted, double& clearance)
@@ -286,9 +327,15 @@ private:
       return 0;
     }
     contacts_.clear();
-    double clearance = 0.05 * std::min(reach(i), reach(j));
-    collect(i, j, 1, wanted, clearance);
-    collect(j, i, -1, wanted, clearance);
+    const double travel = travel_[i] + travel_[j];
+    if (travel >= pair.known_until) {
+      list_samples(i, j, wanted + look_ahead, pair.samples_of_i);
+      list_samples(j, i, wanted + look_ahead, pair.samples_of_j);
+      pair.known_until = travel + look_ahead;
+    }
+    double clearance = pair.known_until - travel;
+    collect(i, j, pair.samples_of_i, 1, wanted, clearance);
+    collect(j, i, pair.samples_of_j, -1, wanted, clearance);
     if (contacts_.empty()) {
       pair.clear_until = travel_[i] + travel_[j] + std::max(clearance, 0.0);
       return 0;

@@ -25,8 +25,9 @@ struct Packing_problem
   std::vector<const Outline*> outlines; ///< of the shapes
   std::vector<Packing_shape> shapes;
   double width = 0, height = 0;
-  double gutter = 0;    ///< to be kept exactly
-  double tolerance = 0; ///< of simplification, in texels
+  double gutter = 0;      ///< to be kept exactly
+  double tolerance = 0;   ///< of simplification, in texels
+  double least_scale = 0; ///< layouts below are of no use
   std::vector<Vec2> turns;
   bool may_turn = true;
   std::optional<Raster_masks> masks;
@@ -50,7 +51,8 @@ struct Packing_problem
   /// The side of a pixel: the finer the more shapes there are.
   double pixel() const
   {
-    return std::sqrt(width * height) / std::max(120.0, 9 * std::sqrt(static_cast<double>(shapes.size())));
+    const double count = std::max(120.0, 9 * std::sqrt(static_cast<double>(shapes.size())));
+    return std::max(std::sqrt(width * height) / count, gutter / 4);
   }
   /// What shapes are grown by on a raster: not enough to keep them apart for sure, relaxing does the rest.
   double grown() const { return gutter / 2 + 0.5 * std::min({pixel(), width, height}); }
@@ -87,9 +89,9 @@ public:
   std::uint64_t work() const { return work_ + elastic_.work(); }
 
   /// Builds the first layout.
-  void start()
+  void start(const Execution& execution)
   {
-    std::optional<Shape_layout> layout = build();
+    std::optional<Shape_layout> layout = build(execution);
     if (!layout)
       return;
     elastic_.assign(std::move(*layout));
@@ -113,12 +115,25 @@ public:
   }
 
   /// Ruins and recreates until that much work has been done.
-  void run(std::uint64_t work_limit)
+  void run(std::uint64_t work_limit, const Execution& execution)
   {
     if (best_.scale <= 0)
       return;
-    while (work() < work_limit)
+    while (work() < work_limit && !execution.is_cancelled())
       improve();
+  }
+
+  /// Lowers the scale of the best layout; false if that cannot be done.
+  bool shrink(double scale)
+  {
+    elastic_.assign(best_);
+    elastic_.set_scale(scale);
+    for (int attempt = 0; attempt < 4; ++attempt)
+      if (elastic_.relax(60) && is_exact()) {
+        best_ = elastic_.layout();
+        return true;
+      }
+    return false;
   }
 
 private:
@@ -145,22 +160,22 @@ private:
   }
 
   /// Raises the scale of raster layouts until they fail.
-  std::optional<Shape_layout> build()
+  std::optional<Shape_layout> build(const Execution& execution)
   {
     std::vector<Index> sequence = order();
     const Packing_problem& p = *problem_;
     const int tries = p.shapes.size() <= 300 ? 2 : 1;
-    double scale = p.scale_of_share(0.74);
+    double scale = std::min(p.scale_of_share(0.74), 1.45 * p.least_scale);
     const auto attempt = [&](double s) {
       return build_on_raster(*p.masks, p.width, p.height, s, sequence, tries, work_);
     };
     std::optional<Shape_layout> best = attempt(scale);
-    for (int i = 0; i < 60 && !best; ++i) {
-      scale *= i < 8 ? 0.97 : 0.85;
+    while (!best && scale > 0.98 * p.least_scale && !execution.is_cancelled()) {
+      scale *= 0.96;
       best = attempt(scale);
     }
     for (const double step : {0.02, 0.007})
-      while (best) {
+      while (best && !execution.is_cancelled()) {
         auto next = attempt(scale * (1 + step));
         if (!next)
           break;
@@ -232,14 +247,15 @@ private:
   {
     Elastic_layout good = elastic_;
     while (step > 0.0004) {
-      elastic_.set_scale(elastic_.layout().scale * (1 + step));
-      if (elastic_.relax(36)) {
+      elastic_.set_scale(good.layout().scale * (1 + step));
+      if (elastic_.relax(100))
         good = elastic_;
-      } else {
-        go_back(good);
+      else {
         step /= 2.5;
+        go_back(good);
       }
     }
+    go_back(good);
     if (!accept())
       go_back(good);
   }
@@ -293,21 +309,22 @@ private:
     return true;
   }
 
+  /// Takes charts out and puts them elsewhere. Pushing all charts apart at a scale that is too large, even in
+  /// vain, spreads the free space; at the former scale or just below they then find room, and grow again.
   void improve()
   {
     Shape_layout layout = current_;
-    const double scale = current_.scale, gain = 0.001 + 0.004 * uniform(),
-                 loss = -0.0015 * std::log(uniform());
+    const double scale = current_.scale, loss = -0.0015 * std::log(uniform());
     work_ += 1000;
     if (!rebuild(layout))
       return;
     const Elastic_layout before = elastic_;
     elastic_.move_to(layout);
-    elastic_.set_scale(scale * (1 + gain));
+    elastic_.set_scale(scale * (1 + 0.001 + 0.004 * uniform()));
     bool is_relaxed = elastic_.relax(48);
     if (!is_relaxed) {
-      elastic_.set_scale(scale * (1 - loss));
-      is_relaxed = elastic_.relax(36);
+      elastic_.set_scale(scale * (1 - 0.001 * (0.5 - std::log(uniform()))));
+      is_relaxed = elastic_.relax(40);
     }
     if (!is_relaxed) {
       go_back(before);

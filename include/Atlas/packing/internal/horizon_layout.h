@@ -27,21 +27,26 @@ struct Layout
 /// What the horizon of a chart is taken from.
 enum class Horizon_source { outline, rectangle };
 
-/// The turn that puts `direction` upright.
-inline Vec2 upright(Vec2 direction)
+/// The turn that puts `direction` upright, as far as it may be turned.
+inline Vec2 upright(Vec2 direction, Chart_rotation rotation)
 {
   const double l = length(direction);
-  return l > 0 ? (1 / l) * Vec2{direction.y, direction.x} : Vec2{1, 0};
+  if (rotation == Chart_rotation::none || !(l > 0))
+    return {1, 0};
+  if (rotation == Chart_rotation::quarter_turns)
+    return std::abs(direction.x) > std::abs(direction.y) ? Vec2{0, 1} : Vec2{1, 0};
+  return (1 / l) * Vec2{direction.y, direction.x};
 }
 
 /// Per chart the turn that stands it upright: by its diameter, or by the longer side of its least rectangle.
-inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source)
+inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source,
+                                       Chart_rotation rotation)
 {
   std::vector<Vec2> turns(outlines.size(), Vec2{1, 0});
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const std::vector<Vec2> hull = convex_hull(outlines.charts[i].points);
     if (source == Horizon_source::outline) {
-      turns[i] = upright(diameter(hull));
+      turns[i] = upright(diameter(hull), rotation);
       continue;
     }
     Vec2 e = least_rectangle_direction(hull);
@@ -54,17 +59,18 @@ inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source 
       return high - low;
     };
     const Vec2 across{-e.y, e.x};
-    turns[i] = upright(extent(e) >= extent(across) ? e : across);
+    turns[i] = upright(extent(e) >= extent(across) ? e : across, rotation);
   }
   return turns;
 }
 
-/// The layout of the paper's section 4 at the largest scale that fits the page; nothing if even points
-/// without a gutter do not.
+/// The layout of the paper's section 4 at the largest scale that fits the page, at most `most_scale`; nothing
+/// if even points without a gutter do not.
 inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_options& page,
-                                            Horizon_source source, const Execution& execution)
+                                            Horizon_source source, double most_scale,
+                                            const Execution& execution)
 {
-  const std::vector<Vec2> turns = upright_turns(outlines, source);
+  const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
   std::vector<double> heights(outlines.size(), 0.0);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     double low = 0, high = 0;
@@ -99,21 +105,7 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
     }
     return layout;
   };
-  return search_scale(outlines, page, 1e-3, attempt);
-}
-
-/// A layout on one page in the terms of the charts.
-inline Packing packing_of(const Outlines& outlines, const std::optional<Layout>& layout)
-{
-  Packing packing;
-  packing.placements.resize(outlines.size());
-  if (!layout)
-    return packing;
-  for (std::size_t i = 0; i < outlines.size(); ++i)
-    packing.placements[i] = outlines.placement(i, layout->scale, layout->turns[i], layout->positions[i]);
-  packing.number_of_pages = outlines.size() == 0 ? 0 : 1;
-  packing.density = layout->scale * outlines.unit;
-  return packing;
+  return search_scale(outlines, page, most_scale, 1e-3, attempt);
 }
 
 } // namespace Atlas::internal

@@ -31,11 +31,13 @@ inline double scale_bound(const Outlines& outlines, const Page_options& page)
 /// Searches the largest scale at which `layout(scale, margin)` finds a layout, to a relative `precision`.
 ///
 /// `margin` is half the gutter, or less where the page has no room for all charts with the gutter even when
-/// they shrink to points: then the widest gutter (in steps of a quarter) that leaves room.
+/// they shrink to points: then the widest gutter (in steps of a quarter) that leaves room. Scales above
+/// `most` are not looked for.
 template <typename Layout>
-auto search_scale(const Outlines& outlines, const Page_options& page, double precision, Layout layout)
+auto search_scale(const Outlines& outlines, const Page_options& page, double most, double precision,
+                  Layout layout)
 {
-  double margin = page.gutter / 2 + rounding_margin(page), high = scale_bound(outlines, page);
+  double margin = page.gutter / 2 + rounding_margin(page), high = std::min(most, scale_bound(outlines, page));
   double low = high * 1e-7;
   auto best = layout(low, margin);
   while (!best && margin > 0x1p-40) {
@@ -50,6 +52,8 @@ auto search_scale(const Outlines& outlines, const Page_options& page, double pre
     low = scale;
     return true;
   };
+  if (most <= high && best && attempt(high))
+    return best;
   for (double scale = high / 2; scale > low && !attempt(scale); scale /= 2)
     high = scale;
   while (best && high > low * (1 + precision))

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_RASTER_LAYOUT_H
+#define ATLAS_PACKING_INTERNAL_RASTER_LAYOUT_H
+
+#include <Atlas/packing/internal/Packing_search.h>
+#include <Atlas/packing/internal/horizon_layout.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// How long to search.
+struct Search_budget
+{
+  unsigned searches = 4;            ///< side by side
+  std::uint64_t round = 30'000'000; ///< operations of each search between two looks at the others
+  unsigned rounds = 0;
+};
+
+/// The shapes of the outlines that are not empty, with resolutions that suit the page.
+inline Packing_problem packing_problem(const Outlines& outlines, const Page_options& page,
+                                       const Layout& fallback, const Execution& execution)
+{
+  Packing_problem problem;
+  for (const Outline& outline : outlines.charts)
+    if (!outline.is_empty())
+      problem.outlines.push_back(&outline);
+  problem.width = page.width;
+  problem.height = page.height;
+  problem.gutter = 2 * fallback.margin;
+  problem.least_scale = fallback.scale;
+  problem.tolerance = 0.05;
+  problem.may_turn = page.rotation == Chart_rotation::any;
+  problem.turns = rotations(problem.may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
+
+  const double side = std::sqrt(problem.width * problem.height);
+  const double scale = std::min(std::sqrt(0.75 * side * side / outlines.area), 1.5 * fallback.scale);
+  Shape_resolution resolution;
+  resolution.tolerance = problem.tolerance / scale;
+  resolution.spacing = side / 256 / scale;
+  resolution.cell = side / 512 / scale;
+  resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
+  resolution.cells_per_chart = problem.outlines.size() > 2000 ? 12 : 20;
+  problem.shapes.resize(problem.outlines.size());
+  execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+    problem.shapes[i] = packing_shape(*problem.outlines[i], resolution, problem.may_turn);
+  });
+  if (execution.is_cancelled())
+    return problem;
+  const std::vector<Vec2> turns = rotations(problem.may_turn                        ? 8
+                                            : page.rotation == Chart_rotation::none ? 1
+                                                                                    : 4);
+  problem.masks.emplace(problem.shapes, turns, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
+                        problem.grown(), execution);
+  return problem;
+}
+
+/// The best layout of several searches at a scale of at most `most_scale`; its scale is 0 if there is none.
+inline Shape_layout search_layout(const Packing_problem& problem, const Search_budget& budget,
+                                  double most_scale, const Execution& execution)
+{
+  std::vector<Packing_search> searches;
+  for (unsigned k = 0; k < budget.searches; ++k)
+    searches.emplace_back(problem, k);
+  const auto best = [&] {
+    return std::max_element(searches.begin(), searches.end(),
+                            [](const auto& a, const auto& b) { return a.best().scale < b.best().scale; });
+  };
+  execution.for_each(searches.size(), [&](std::size_t k) { searches[k].start(execution); });
+  for (unsigned r = 0; r < budget.rounds && best()->best().scale < most_scale; ++r) {
+    if (!execution.proceed((r + 1.0) / (budget.rounds + 1)))
+      break;
+    execution.for_each(searches.size(),
+                       [&](std::size_t k) { searches[k].run(searches[k].work() + budget.round, execution); });
+    // Now and then the search that is worst goes on from where the best is.
+    if (r % 8 == 7) {
+      const auto worst = std::min_element(searches.begin(), searches.end(), [](const auto& a, const auto& b) {
+        return a.best().scale < b.best().scale;
+      });
+      worst->restart(best()->best());
+    }
+  }
+  const auto winner = best();
+  if (winner->best().scale > most_scale && !winner->shrink(most_scale))
+    return {};
+  return winner->best();
+}
+
+/// The layout of the raster packer at the largest scale it finds, at most `most_scale`; that of the horizon
+/// packer where it finds none that is better.
+inline std::optional<Layout> raster_layout(const Outlines& outlines, const Page_options& page,
+                                           const Search_budget& budget, double most_scale,
+                                           const Execution& execution)
+{
+  std::optional<Layout> result =
+      horizon_layout(outlines, page, Horizon_source::outline, most_scale, execution);
+  if (!result || !(outlines.area > 0) || result->scale >= most_scale || execution.is_cancelled())
+    return result;
+  const Packing_problem problem = packing_problem(outlines, page, *result, execution);
+  if (execution.is_cancelled())
+    return result;
+  const Shape_layout found = search_layout(problem, budget, most_scale, execution);
+  if (found.scale <= result->scale)
+    return result;
+  result->scale = found.scale;
+  for (std::size_t i = 0, k = 0; i < outlines.size(); ++i)
+    if (!outlines.charts[i].is_empty()) {
+      result->turns[i] = rotated(found.turns[k], problem.shapes[k].frame);
+      result->positions[i] = found.positions[k++];
+    }
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif
