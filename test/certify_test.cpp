@@ -270,6 +270,22 @@ TEST(Certify, AThirdTriangleAtTheEdgeOfAPair)
   EXPECT_EQ(c.seam_length, 0);
 }
 
+TEST(Certify, TwoPairsAtTheSameEdge)
+{
+  // Four triangles at the same edge in space, two of them on vertices of their own, each pair glued in the
+  // plane.
+  Soup soup;
+  soup.points = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  soup.polygons = {{0, 2, 1}, {0, 1, 3}, {4, 6, 5}, {4, 5, 7}};
+  Layout layout(soup);
+  layout.uv = {{0, 0},     {0.25, 0},   {0.25, 0.25}, {0, 0},     {0.25, 0.25}, {0, 0.25},
+               {0.5, 0.5}, {0.75, 0.5}, {0.75, 0.75}, {0.5, 0.5}, {0.75, 0.75}, {0.5, 0.75}};
+  Atlas_certificate c = layout.certificate();
+  EXPECT_EQ(c.charts, 2u);
+  EXPECT_DOUBLE_EQ(c.seam_length, std::sqrt(2.0));
+  EXPECT_TRUE(c.is_valid());
+}
+
 TEST(Certify, PolygonsAreTriangulated)
 {
   const Atlas_certificate c = Layout(squares(2, 3, 0.25, 0.125, true)).certificate();

@@ -86,32 +86,36 @@ private:
     return std::sqrt(CGAL::squared_distance(surface_.point(h), surface_.point(next_halfedge(h))));
   }
 
-  /// Glues edges with an opposite one by one; those without, and whatever else may be at the same places in
-  /// space, place by place.
+  /// Glues edges with an opposite one by one; those without, and those of vertices that are not alone at
+  /// their place in space, place by place: there may be more triangles at the same edge.
   void glue()
   {
-    std::vector<Index> open;
-    for (Index h = 0; h < uv_.size(); ++h)
-      if (surface_.opposite[h] == no_index && is_used(h / 3) &&
-          surface_.point(h) != surface_.point(next_halfedge(h)))
-        open.push_back(h);
-    // A bit for every open place, at an address made from it, tells nearly all others apart from them.
-    const std::size_t addresses = std::bit_ceil(16 * open.size() + 1);
-    std::vector<bool> is_open(addresses, false);
-    for (const Index h : open)
-      is_open[hash_of_place(h) & (addresses - 1)] = true;
-    const bool has_open = !open.empty();
+    const std::vector<bool> has_twin = find_twins();
+    const auto vertex = [&](Index h) { return surface_.triangles[h / 3][h % 3]; };
+    std::vector<Index> others;
     for (Index h = 0; h < uv_.size(); ++h) {
-      const Index o = surface_.opposite[h];
-      if (o == no_index || o < h)
-        continue;
-      if (has_open && is_used(h / 3) && is_used(o / 3) && is_open[hash_of_place(h) & (addresses - 1)] &&
-          surface_.point(h) != surface_.point(next_halfedge(h)))
-        open.insert(open.end(), {h, o});
-      else
+      const Index o = surface_.opposite[h], n = next_halfedge(h);
+      const bool is_simple = o != no_index && !has_twin[vertex(h)] && !has_twin[vertex(n)];
+      if (is_simple && h < o)
         glue_pair(h, o);
+      else if (!is_simple && is_used(h / 3) && surface_.point(h) != surface_.point(n))
+        others.push_back(h);
     }
-    glue_places(open);
+    glue_places(others);
+  }
+
+  /// Per vertex, whether (nearly always: only if) another one is at the same place.
+  std::vector<bool> find_twins() const
+  {
+    std::vector<std::pair<std::uint64_t, Index>> hashes(surface_.points.size());
+    for (Index v = 0; v < hashes.size(); ++v)
+      hashes[v] = {hash_of(surface_.points[v]), v};
+    std::sort(hashes.begin(), hashes.end());
+    std::vector<bool> has_twin(hashes.size(), false);
+    for (std::size_t i = 1; i < hashes.size(); ++i)
+      if (hashes[i].first == hashes[i - 1].first)
+        has_twin[hashes[i].second] = has_twin[hashes[i - 1].second] = true;
+    return has_twin;
   }
 
   void glue_pair(Index h, Index o)
@@ -153,26 +157,23 @@ private:
     return {surface_.point(from), surface_.point(to), uv_[from], uv_[to], page_[h / 3], h, from, to};
   }
 
-  /// The same for edges at the same place. Zero has two signs that compare equal.
-  std::uint64_t hash_of_place(Index h) const
+  /// The same for equal points. Zero has two signs that compare equal.
+  static std::uint64_t hash_of(const Point_3& p)
   {
-    const auto hash = [](const Point_3& p) {
-      std::uint64_t sum = 0;
-      for (int i = 0; i < 3; ++i)
-        sum = (sum ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15u, sum ^= sum >> 29;
-      return sum;
-    };
-    return hash(surface_.point(h)) + hash(surface_.point(next_halfedge(h)));
+    std::uint64_t sum = 0;
+    for (int i = 0; i < 3; ++i)
+      sum = (sum ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15u, sum ^= sum >> 29;
+    return sum;
   }
 
-  /// Edges that are not shared by exactly two consistently oriented triangles: those at the same place in
-  /// space are one edge, on which all triangles with equal coordinates are glued, whichever way they run.
+  /// Edges at the same place in space are one edge, on which all triangles with equal coordinates are glued,
+  /// whichever way they run.
   void glue_places(const std::vector<Index>& halfedges)
   {
     std::vector<std::pair<std::uint64_t, Index>> hashes;
     hashes.reserve(halfedges.size());
     for (const Index h : halfedges)
-      hashes.emplace_back(hash_of_place(h), h);
+      hashes.emplace_back(hash_of(surface_.point(h)) + hash_of(surface_.point(next_halfedge(h))), h);
     std::sort(hashes.begin(), hashes.end());
     std::vector<Edge> edges;
     for (std::size_t i = 0, end = 0; i < hashes.size(); i = end) {
