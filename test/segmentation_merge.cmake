@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: MIT
 atlas_test(variational_segmentation_test)
+atlas_test(merge_charts_test)

@@ -20,12 +20,15 @@ struct Merge_options
   /// ... unless they fill this share of their convex hull.
   double solidity_of_large_charts = 0.85;
   /// Charts that come from merging fill at least this share of their convex hull.
-  double min_solidity = 0.7;
+  double min_solidity = 0.5;
+  /// No two edges of the border of such a chart come closer in the plane than this share of their length: a
+  /// chart that keeps off itself in outline will do so in detail.
+  double min_gap = 0.1;
   /// Charts do not merge if their common border differs more between their layouts: root mean square
   /// distance after rigid alignment over the square root of the area.
   double max_misfit = 0.12;
   /// About how many triangles each chart has on the coarse surface on which charts are flattened for trial.
-  double triangles_per_chart = 80;
+  double triangles_per_chart = 60;
   /// Charts whose union has more triangles on the coarse surface do not merge: this bounds the cost of a
   /// trial.
   std::size_t max_trial_triangles = 5000;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_NORMAL_SEGMENTATION_H
-#define ATLAS_NORMAL_SEGMENTATION_H
+#ifndef ATLAS_SEGMENTATION_NORMAL_SEGMENTATION_H
+#define ATLAS_SEGMENTATION_NORMAL_SEGMENTATION_H
 
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>

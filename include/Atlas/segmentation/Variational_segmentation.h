@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_VARIATIONAL_SEGMENTATION_H
-#define ATLAS_VARIATIONAL_SEGMENTATION_H
+#ifndef ATLAS_SEGMENTATION_VARIATIONAL_SEGMENTATION_H
+#define ATLAS_SEGMENTATION_VARIATIONAL_SEGMENTATION_H
 
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
@@ -33,9 +33,9 @@ public:
     Index number_of_charts = 0;
     /// A chart gets divided while the mean of |n - N|^2 over it is larger; n is the normal, N that of the
     /// chart.
-    double max_spread = 0.2;
+    double max_spread = 0.12;
     /// Charts below this share of their component's area are divided more reluctantly.
-    double small_share = 1.0 / 40;
+    double small_share = 1.0 / 60;
     /// Weight of the squared distance to the chart's centre, in units of the mean squared radius of charts.
     double compactness = 0.1;
     /// Rounds of fitting planes and growing charts anew after the last chart has been added.

@@ -14,13 +14,13 @@ namespace Atlas::internal {
 /// \brief The network of edges along which a segmentation does not glue triangles, in arcs.
 ///
 /// An arc runs from one fixed vertex to the next: a vertex where three arcs meet, where a cut ends, or where
-/// edges that may be glued meet edges that must not. A closed arc has one fixed vertex, anywhere. Arc a has the
-/// sides 2a and 2a + 1, each seen from the triangles next to it; at the border of the surface only one.
+/// edges that may be glued meet edges that must not. A closed arc has one fixed vertex, anywhere. Arc a has
+/// the sides 2a and 2a + 1, each seen from the triangles next to it; at the border of the surface only one.
 struct Chart_arcs
 {
-  std::vector<Index> vertex;          ///< per halfedge: the vertex it starts at, as a manifold counts them
-  std::vector<Index> side;            ///< per halfedge: the side of an arc, or `no_index`
-  std::vector<std::uint8_t> is_fixed; ///< per vertex
+  std::vector<Index> vertex;            ///< per halfedge: the vertex it starts at, as a manifold counts them
+  std::vector<Index> side;              ///< per halfedge: the side of an arc, or `no_index`
+  std::vector<std::uint8_t> is_fixed;   ///< per vertex
   std::vector<std::uint8_t> is_barrier; ///< per arc: whether it must stay a seam
 
   Index number_of_vertices() const { return static_cast<Index>(is_fixed.size()); }
@@ -53,7 +53,8 @@ inline Index manifold_vertices(const Surface& surface, std::vector<Index>& verte
   return count;
 }
 
-/// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned across.
+/// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned
+/// across.
 template <typename IsSeam>
 Index next_on_border(const std::vector<Index>& opposite, Index h, IsSeam is_seam)
 {

@@ -32,8 +32,8 @@ template <typename Flatten>
 class Chart_merger
 {
 public:
-  Chart_merger(const Coarse_surface& surface, const Chart_arcs& arcs, Index charts, const Merge_options& options,
-               const Flatten& flatten, const Execution& execution)
+  Chart_merger(const Coarse_surface& surface, const Chart_arcs& arcs, Index charts,
+               const Merge_options& options, const Flatten& flatten, const Execution& execution)
       : surface_(surface), options_(options), flatten_(flatten), execution_(execution),
         is_barrier_(arcs.is_barrier), roots_(charts), local_(surface.triangles.size()),
         place_(surface.triangles.size())
@@ -48,6 +48,7 @@ public:
     // One sweep, the slits, and once more what was refused while charts were other ones.
     for (int sweep = 0; sweep < 2 && execution_.proceed(0.2 + 0.4 * sweep); ++sweep) {
       is_refused_.assign(is_barrier_.size(), 0);
+      is_refused_alone_.assign(is_barrier_.size(), 0);
       for (Index p = 0; p < parts_.size(); ++p)
         if (roots_.find(p) == p)
           push_runs(p);
@@ -73,16 +74,17 @@ private:
   {
     double priority;
     Index side, version, other_version;
+    bool is_single; ///< only this arc, not all of its run
     bool operator<(const Entry& o) const
     {
-      return std::tie(priority, o.side, version, other_version) <
-             std::tie(o.priority, side, o.version, o.other_version);
+      return std::tie(priority, o.side, version, other_version, o.is_single) <
+             std::tie(o.priority, side, o.version, o.other_version, is_single);
     }
   };
 
   struct Candidate
   {
-    Index part, other; ///< equal: a slit
+    Index part, other;      ///< equal: a slit
     std::vector<Index> run; ///< sides of `part`, in its order
     Chart layout;
     bool is_accepted = false;
@@ -106,8 +108,7 @@ private:
         continue;
       owner_[s] = surface_.chart[h / 3];
       if (s % 2 == 0)
-        length_[s / 2] +=
-            std::sqrt(CGAL::squared_distance(point(h), point(next_halfedge(h))));
+        length_[s / 2] += std::sqrt(CGAL::squared_distance(point(h), point(next_halfedge(h))));
       if (is_last_on_side(h)) {
         const Index g = next_on_side(h), r = surface_.side[g];
         next_[s] = r;
@@ -254,10 +255,10 @@ private:
   bool is_acceptable(const Candidate& c) const
   {
     const Chart& chart = c.layout;
-    const Distortion distortion = measure_distortion(chart);
+    const Atlas::Distortion distortion = measure_distortion(chart);
     if (!(value(distortion, options_.measure) <= options_.max_distortion))
       return false;
-    std::vector<Edge_2> border;
+    std::vector<Border_edge> border;
     std::vector<Point_2> points;
     for (Index i = 0; i < chart.triangles.size(); ++i) {
       const auto& [u, v, w] = chart.triangles[i];
@@ -266,15 +267,17 @@ private:
         return false;
       for (Index k = 0; k < 3; ++k)
         if (is_open(3 * chart.source[i] + k)) {
-          border.emplace_back(chart.uv[chart.triangles[i][k]], chart.uv[chart.triangles[i][(k + 1) % 3]]);
-          points.push_back(border.back().first);
+          const Index a = chart.triangles[i][k], b = chart.triangles[i][(k + 1) % 3];
+          border.push_back({chart.uv[a], chart.uv[b], a, b});
+          points.push_back(chart.uv[a]);
         }
     }
     const double solidity = area_uv(chart) / hull_area(std::move(points));
     const double share = (parts_[c.part].area + (c.part != c.other ? parts_[c.other].area : 0)) / whole_area_;
     if (c.part != c.other && share > options_.max_area_share && solidity < options_.solidity_of_large_charts)
       return false;
-    return (c.part == c.other || solidity >= options_.min_solidity) && !has_crossing(std::move(border));
+    return (c.part == c.other || solidity >= options_.min_solidity) &&
+           is_clear(std::move(border), options_.min_gap);
   }
 
   // --- Runs of arcs
@@ -287,15 +290,15 @@ private:
            part_of_side(s) != part_of_side(s ^ 1);
   }
 
-  /// The longest run of consecutive arcs around s that lie between the same two parts; empty if that is the
-  /// whole border of both.
+  /// The longest run of consecutive arcs around s that lie between the same two parts; only s if that is the
+  /// whole border of both, and nothing if s is.
   std::vector<Index> run_of(Index s)
   {
     std::vector<Index> run{s};
     for (;;) {
       const Index last = run.back(), n = next_[last];
       if (n == s && previous_[last ^ 1] == (n ^ 1))
-        return {};
+        return run.size() > 1 ? std::vector<Index>{s} : std::vector<Index>{};
       if (n == s || previous_[last ^ 1] != (n ^ 1) || is_barrier_[n / 2])
         break;
       run.push_back(n);
@@ -319,15 +322,23 @@ private:
     return sum;
   }
 
-  void push(Index s)
+  void push(Index s, const std::vector<Index>& run, bool is_single)
   {
-    const Index a = part_of_side(s), b = part_of_side(s ^ 1);
-    const std::vector<Index> run = run_of(s);
-    if (run.empty())
-      return;
-    const double perimeter = std::min(parts_[a].perimeter, parts_[b].perimeter);
+    const Part &a = parts_[part_of_side(s)], &b = parts_[part_of_side(s ^ 1)];
+    const double perimeter = std::min(a.perimeter, b.perimeter);
     const double priority = perimeter > 0 ? length_of(run) / perimeter : 1;
-    queue_.push({priority, s, parts_[a].version, parts_[b].version});
+    queue_.push({priority, s, a.version, b.version, is_single});
+  }
+
+  /// A run that must not be glued as a whole may still be along its longest arc: what stays open is a slit.
+  void push_longest_arc(const std::vector<Index>& run)
+  {
+    if (run.size() > 1)
+      if (const Index s = *std::max_element(
+              run.begin(), run.end(),
+              [&](Index a, Index b) { return std::tie(length_[a / 2], b) < std::tie(length_[b / 2], a); });
+          !is_refused_alone_[s / 2])
+        push(s, {s}, true);
   }
 
   /// Puts the runs of the part's border into the queue, each once.
@@ -341,7 +352,8 @@ private:
       const Index p = previous_[s];
       const bool goes_on = p != s && is_mergeable(p) && next_[s ^ 1] == (p ^ 1);
       if (is_mergeable(s) && (!goes_on || s == start))
-        push(s);
+        if (const std::vector<Index> run = run_of(s); run.size() > 0)
+          push(s, run, false);
       s = next_[s];
     } while (s != start);
   }
@@ -369,8 +381,8 @@ private:
         later.push_back(entry);
         continue;
       }
-      c.run = run_of(s);
-      if (is_mostly_refused(c.run))
+      c.run = entry.is_single ? std::vector<Index>{s} : run_of(s);
+      if (!entry.is_single && is_mostly_refused(c.run))
         continue;
       if (!is_promising(c)) {
         refuse(c.run);
@@ -395,8 +407,11 @@ private:
 
   void refuse(const std::vector<Index>& run)
   {
+    if (run.size() == 1)
+      is_refused_alone_[run.front() / 2] = 1;
     for (const Index s : run)
       is_refused_[s / 2] = 1;
+    push_longest_arc(run);
   }
 
   void attempt_all(std::vector<Candidate>& batch)
@@ -450,8 +465,8 @@ private:
     return part;
   }
 
-  /// Takes both sides of an arc out of the borders. Either they are on different borders, which become one, or
-  /// they follow each other.
+  /// Takes both sides of an arc out of the borders. Either they are on different borders, which become one,
+  /// or they follow each other.
   void glue(Index s)
   {
     const Index t = s ^ 1;
@@ -511,8 +526,8 @@ private:
   const Flatten& flatten_;
   const Execution& execution_;
 
-  std::vector<std::uint8_t> is_barrier_, is_glued_, is_on_trial_, is_refused_; ///< per arc
-  std::vector<double> length_;                                                 ///< per arc
+  std::vector<std::uint8_t> is_barrier_, is_glued_, is_on_trial_, is_refused_, is_refused_alone_; ///< per arc
+  std::vector<double> length_;                                                                    ///< per arc
   std::vector<Index> next_, previous_; ///< per side: along the border of its part
   std::vector<Index> owner_;           ///< per side: the chart it was found at
   std::vector<Index> first_halfedge_;  ///< per side

@@ -21,9 +21,9 @@ struct Coarse_surface
 {
   std::vector<Point_3> points;
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> opposite; ///< per halfedge
-  std::vector<Index> side;     ///< per halfedge: the side of an arc, or `no_index`
-  std::vector<Index> chart;    ///< per triangle
+  std::vector<Index> opposite;        ///< per halfedge
+  std::vector<Index> side;            ///< per halfedge: the side of an arc, or `no_index`
+  std::vector<Index> chart;           ///< per triangle
   std::vector<std::uint8_t> is_fixed; ///< per vertex: whether arcs end there
 };
 
@@ -90,13 +90,14 @@ private:
         kind_[v] = Kind::fixed;
   }
 
-  /// The length of the edges of equilateral triangles of the right number, per vertex the least of its charts.
+  /// The length of the edges of equilateral triangles of the right number, per vertex the least of its
+  /// charts.
   void set_lengths(Index charts, double triangles_per_chart)
   {
     std::vector<double> area(charts, 0);
     for (Index t = 0; t < chart_.size(); ++t)
-      area[chart_[t]] += std::sqrt(
-          CGAL::squared_area(points_[vertex_[3 * t]], points_[vertex_[3 * t + 1]], points_[vertex_[3 * t + 2]]));
+      area[chart_[t]] += std::sqrt(CGAL::squared_area(points_[vertex_[3 * t]], points_[vertex_[3 * t + 1]],
+                                                      points_[vertex_[3 * t + 2]]));
     length_.assign(points_.size(), std::numeric_limits<double>::infinity());
     for (Index h = 0; h < vertex_.size(); ++h)
       length_[vertex_[h]] = std::min(
@@ -176,9 +177,10 @@ private:
       for (const Index u : {vertex_[next_halfedge(g)], vertex_[previous_halfedge(g)]})
         if (std::find(near_v_.begin(), near_v_.end(), u) == near_v_.end())
           near_v_.push_back(u);
-    const std::size_t common = static_cast<std::size_t>(std::count_if(near_v_.begin(), near_v_.end(), [&](Index u) {
-      return std::find(near_w_.begin(), near_w_.end(), u) != near_w_.end() && u != v && u != w;
-    }));
+    const std::size_t common =
+        static_cast<std::size_t>(std::count_if(near_v_.begin(), near_v_.end(), [&](Index u) {
+          return std::find(near_w_.begin(), near_w_.end(), u) != near_w_.end() && u != v && u != w;
+        }));
     if (common != (opposite_[h] == no_index ? 1u : 2u) || !keeps_arcs(h) ||
         (opposite_[h] != no_index && !keeps_arcs(opposite_[h])))
       return false;
@@ -207,7 +209,8 @@ private:
       // No slivers, unless it was one: height over longest edge.
       const double longest = std::max({edge.squared_length(), CGAL::squared_distance(points_[a], points_[w]),
                                        CGAL::squared_distance(points_[b], points_[w])});
-      if (after.squared_length() < 0.02 * longest * longest && after.squared_length() < before.squared_length())
+      if (after.squared_length() < 0.02 * longest * longest &&
+          after.squared_length() < before.squared_length())
         return false;
     }
     return true;

@@ -13,33 +13,70 @@
 
 namespace Atlas::internal {
 
-using Edge_2 = std::pair<Point_2, Point_2>;
-
-/// Whether two edges cross in inner points of both.
-inline bool do_cross(const Edge_2& a, const Edge_2& b)
+/// An edge of a border, with the numbers of its vertices.
+struct Border_edge
 {
-  const auto side = [](const Edge_2& e, const Point_2& p) { return CGAL::orientation(e.first, e.second, p); };
-  return side(a, b.first) * side(a, b.second) < 0 && side(b, a.first) * side(b, a.second) < 0;
+  Point_2 source, target;
+  Index first, second;
+};
+
+/// The squared distance of two edges that do not cross.
+inline double squared_gap(const Border_edge& a, const Border_edge& b)
+{
+  const auto gap = [](const Point_2& p, const Border_edge& e) {
+    const Vector_2 d = e.target - e.source, v = p - e.source;
+    const double length = d * d, t = length > 0 ? std::clamp(v * d / length, 0.0, 1.0) : 0;
+    return (v - t * d).squared_length();
+  };
+  return std::min({gap(a.source, b), gap(a.target, b), gap(b.source, a), gap(b.target, a)});
 }
 
-/// Whether any two of the edges cross. A sweep over x: fast for the borders of charts, quadratic for edges
-/// that all overlap in x.
-inline bool has_crossing(std::vector<Edge_2> edges)
+/// Whether two edges cross in inner points of both.
+inline bool do_cross(const Border_edge& a, const Border_edge& b)
 {
-  const auto low = [](const Edge_2& e) { return std::min(e.first.x(), e.second.x()); };
-  const auto high = [](const Edge_2& e) { return std::max(e.first.x(), e.second.x()); };
+  const auto side = [](const Border_edge& e, const Point_2& p) {
+    return CGAL::orientation(e.source, e.target, p);
+  };
+  return side(a, b.source) * side(a, b.target) < 0 && side(b, a.source) * side(b, a.target) < 0;
+}
+
+/// Whether a border loop keeps its distance from itself: no two edges cross or come closer than `share` of
+/// the shorter one, unless at most one edge is between them. A sweep over x: fast for the borders of charts,
+/// quadratic for edges that all overlap in x.
+inline bool is_clear(std::vector<Border_edge> edges, double share)
+{
+  std::vector<std::pair<Index, Index>> next;
+  for (const Border_edge& e : edges)
+    next.emplace_back(e.first, e.second);
+  std::sort(next.begin(), next.end());
+  const auto after = [&](Index v) { // border vertices of a disc have one edge that leaves
+    return std::lower_bound(next.begin(), next.end(), std::pair<Index, Index>(v, 0))->second;
+  };
+  const auto leads_to = [&](const Border_edge& a, const Border_edge& b) {
+    return a.second == b.first || after(a.second) == b.first;
+  };
+  const auto length = [](const Border_edge& e) { return CGAL::squared_distance(e.source, e.target); };
+  const auto low = [](const Border_edge& e) { return std::min(e.source.x(), e.target.x()); };
+  const auto high = [](const Border_edge& e) { return std::max(e.source.x(), e.target.x()); };
   std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return low(a) < low(b); });
-  std::vector<const Edge_2*> active;
-  for (const Edge_2& e : edges) {
-    const auto [bottom, top] = std::minmax(e.first.y(), e.second.y());
-    std::erase_if(active, [&](const Edge_2* f) { return high(*f) < low(e); });
-    for (const Edge_2* f : active)
-      if (std::min(f->first.y(), f->second.y()) <= top && std::max(f->first.y(), f->second.y()) >= bottom &&
-          do_cross(e, *f))
-        return true;
+  double margin = 0;
+  for (const Border_edge& e : edges)
+    margin = std::max(margin, share * std::sqrt(length(e)));
+
+  std::vector<const Border_edge*> active;
+  for (const Border_edge& e : edges) {
+    const auto [bottom, top] = std::minmax(e.source.y(), e.target.y());
+    std::erase_if(active, [&](const Border_edge* f) { return high(*f) + margin < low(e); });
+    for (const Border_edge* f : active) {
+      if (std::min(f->source.y(), f->target.y()) > top + margin ||
+          std::max(f->source.y(), f->target.y()) + margin < bottom || leads_to(e, *f) || leads_to(*f, e))
+        continue;
+      if (do_cross(e, *f) || squared_gap(e, *f) < share * share * std::min(length(e), length(*f)))
+        return false;
+    }
     active.push_back(&e);
   }
-  return false;
+  return true;
 }
 
 /// The area of the convex hull (Andrew's monotone chain). O(n log n).
@@ -74,8 +111,8 @@ inline double chain_misfit(std::span<const Point_2> p, std::span<const Point_2> 
   std::vector<double> weight(n, 0);
   double total = 0;
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const double l = std::sqrt(CGAL::squared_distance(p[i], p[i + 1])) +
-                     std::sqrt(CGAL::squared_distance(q[i], q[i + 1]));
+    const double l =
+        std::sqrt(CGAL::squared_distance(p[i], p[i + 1])) + std::sqrt(CGAL::squared_distance(q[i], q[i + 1]));
     weight[i] += l;
     weight[i + 1] += l;
     total += 2 * l;

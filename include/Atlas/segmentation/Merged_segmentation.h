@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_MERGED_SEGMENTATION_H
+#define ATLAS_SEGMENTATION_MERGED_SEGMENTATION_H
+
+#include <Atlas/Execution.h>
+#include <Atlas/Surface.h>
+#include <Atlas/concepts.h>
+#include <Atlas/segmentation/Merge_options.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/merge_charts.h>
+
+#include <utility>
+
+namespace Atlas {
+
+/// \brief Few charts under a bound: many charts of another model, merged while the bound allows it.
+///
+/// \tparam Base           makes the charts to begin with: more than needed, of simple shape
+/// \tparam Parameterizer  flattens unions for trial
+/// \tparam Optimizer      lowers their distortion
+///
+/// The charts are discs. A model of `ChartSegmentation`. See `merge_charts()`.
+template <ChartSegmentation Base, ChartParameterizer Parameterizer, UVOptimizer Optimizer>
+class Merged_segmentation
+{
+public:
+  explicit Merged_segmentation(Base base = Base(), Parameterizer parameterizer = Parameterizer(),
+                               Optimizer optimizer = Optimizer(), const Merge_options& options = {})
+      : base_(std::move(base)), parameterizer_(std::move(parameterizer)), optimizer_(std::move(optimizer)),
+        options_(options)
+  {}
+
+  const Base& base() const { return base_; }
+  const Merge_options& options() const { return options_; }
+
+  /// Once cancelled, returns the charts of that moment.
+  Segmentation segment(const Surface& surface, const Execution& execution) const
+  {
+    Segmentation segmentation = base_.segment(surface, execution);
+    if (!execution.is_cancelled())
+      cut_to_discs(surface, segmentation, execution);
+    if (!execution.is_cancelled())
+      merge_charts(surface, segmentation, options_, parameterizer_, optimizer_, execution);
+    return segmentation;
+  }
+
+private:
+  Base base_;
+  Parameterizer parameterizer_;
+  Optimizer optimizer_;
+  Merge_options options_;
+};
+
+} // namespace Atlas
+
+#endif
