@@ -15,7 +15,7 @@ small() {
   pngtopnm "$1" | pnmscale -width "$3" | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/$2"
 }
 
-for mesh in bunny00 camel bull; do
+for mesh in bunny00 camel; do
   tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz "data/meshes/$mesh.off" >"$folder/$mesh.off"
   "$atlas_root/build/example/examples/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
     --picture "$folder/$mesh.png" >&2
@@ -23,5 +23,5 @@ done
 small "$folder/bunny00.png" bunny.png 1400
 small "$folder/camel_page.png" camel_page.png 700
 small "$folder/camel_view.png" camel_view.png 700
-small "$folder/bull_view.png" bull_view.png 700
+small "$folder/camel_stretch.png" camel_stretch.png 700
 ls -l "$atlas_root/doc/pictures" >&2
