@@ -104,7 +104,7 @@ generate_atlas(const FaceListGraph& mesh, HalfedgeUVMap uv,
 
   const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
   std::vector<Point_2> corner_uv;
-  const Atlas_report report =
+  Atlas_report report =
       internal::run_pipeline(view.surface, corner_uv, np, [&](const Segmentation& segmentation) {
         internal::write_edge_seams(mesh, view, segmentation, get_parameter(np, internal::edge_seam_map_t()));
       });
