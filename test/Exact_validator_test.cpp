@@ -235,6 +235,22 @@ TEST(ExactValidator, EverythingEndsInFewRounds)
   }
 }
 
+TEST(ExactValidator, HalvesAreHalves)
+{
+  for (const Index n : {1u, 2u, 3u, 7u, 20u}) {
+    const Chart chart = flat_grid(n);
+    const std::vector<Index> parts = Exact_validator().split(chart, {Chart_status::solver_failed, {}});
+    EXPECT_EQ(std::count(parts.begin(), parts.end(), 0u), n * n);
+    EXPECT_EQ(std::count(parts.begin(), parts.end(), 1u), n * n);
+    // A clean cut: hardly longer than a diagonal.
+    const std::vector<Index> opposite = internal::opposite_halfedges(chart.triangles);
+    Index cut = 0;
+    for (Index h = 0; h < opposite.size(); ++h)
+      cut += opposite[h] != no_index && h < opposite[h] && parts[h / 3] != parts[opposite[h] / 3];
+    EXPECT_LE(cut, 3 * n);
+  }
+}
+
 TEST(ExactValidator, SplitsChartsInOneSpotAndInPieces)
 {
   Chart chart = flat_grid(3);

@@ -33,18 +33,24 @@ inline std::vector<Index> nearer_of(const std::vector<double>& to_first, const s
   return parts;
 }
 
-/// Two parts of about the same extent, grown from the ends of a longest path; pieces that hang together over
-/// no edge come apart first.
+/// Two parts with the same number of triangles, or one more in the second: cut along a level of (distance to
+/// one end of a longest path - distance to its other end).
 inline std::vector<Index> halve(const Chart_graph& graph)
 {
-  std::vector<Index> parts(graph.size(), 0);
+  std::vector<Index> parts(graph.size(), 0), order(graph.size());
   if (graph.size() < 2)
     return parts;
   const std::vector<double> to_end = graph.distances(farthest(graph.distances(0)));
-  parts = nearer_of(to_end, graph.distances(farthest(to_end)));
-  if (!is_split(parts)) // all in one spot
-    for (std::size_t t = 0; t < parts.size(); ++t)
-      parts[t] = t >= parts.size() / 2;
+  const std::vector<double> to_other = graph.distances(farthest(to_end));
+  std::vector<double> level(graph.size());
+  for (std::size_t t = 0; t < level.size(); ++t)
+    level[t] = std::isfinite(to_end[t]) && std::isfinite(to_other[t]) ? to_end[t] - to_other[t] : 0;
+  std::iota(order.begin(), order.end(), Index(0));
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  std::nth_element(order.begin(), middle, order.end(),
+                   [&](Index s, Index t) { return level[s] != level[t] ? level[s] < level[t] : s < t; });
+  for (auto i = middle; i != order.end(); ++i)
+    parts[*i] = 1;
   return parts;
 }
 
