@@ -11,6 +11,7 @@
 #include <Atlas/IO/write_ply.h>
 #include <Atlas/IO/write_png.h>
 #include <Atlas/IO/write_report.h>
+#include <Atlas/bake/bake_texture.h>
 #include <Atlas/generate_atlas.h>
 
 #include <CGAL/assertions.h>
@@ -47,7 +48,7 @@ struct Options
   Atlas::Index texture_size = Atlas::default_texture_size;
   double gutter = Atlas::default_gutter;
   unsigned threads = 0;
-  bool is_quiet = false, shows_progress = false;
+  bool bakes_colors = false, is_quiet = false, shows_progress = false;
 };
 
 /// A message may come from a library and have several lines; scripts rely on one.
@@ -86,6 +87,8 @@ void declare_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--picture", options.picture,
                  "Also write one PNG picture with the page and the model side by side");
+  app.add_flag("--bake-colors", options.bakes_colors,
+               "Texture the model with the colours of its vertices (_color.png) instead of the checkerboard");
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
@@ -191,11 +194,24 @@ private:
   std::vector<std::string> names_;
 };
 
+/// The texture of the model: a checkerboard, or its colours, which are then no longer needed at the vertices.
+Atlas::Image make_texture(const Options& options, Atlas::Polygon_soup& model)
+{
+  const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
+  if (!options.bakes_colors)
+    return Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
+  Atlas::Image texture = Atlas::bake_vertex_colors(model, side);
+  model.colors.clear();
+  return texture;
+}
+
 /// The model in the format that its extension names, with its texture.
-void add_model(Outputs& outputs, const fs::path& output, const Atlas::Polygon_soup& model,
+void add_model(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
                const Atlas::Image& texture)
 {
-  const fs::path library = beside(output, ".mtl"), picture = beside(output, "_checkerboard.png");
+  const fs::path output = options.output;
+  const fs::path library = beside(output, ".mtl");
+  const fs::path picture = beside(output, options.bakes_colors ? "_color.png" : "_checkerboard.png");
   const std::string png = Atlas::png_bytes(texture);
   if (output.extension() == ".glb") {
     outputs.add(output, Atlas::glb_bytes(model, png));
@@ -230,7 +246,7 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
 }
 
 /// Writes everything or nothing. Returns the names of what has been written.
-std::vector<std::string> write_outputs(const Options& options, const Atlas::Polygon_soup& model,
+std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
                                        const Atlas::Atlas_report& report, const Atlas::Json& json)
 {
   Outputs outputs;
@@ -239,10 +255,9 @@ std::vector<std::string> write_outputs(const Options& options, const Atlas::Poly
   if (is_device) {
     outputs.add(output, Atlas::obj_text(model, ""));
   } else {
-    const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
-    const Atlas::Image checkerboard = Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
-    add_model(outputs, output, model, checkerboard);
-    add_pictures(outputs, options, model, checkerboard, report);
+    const Atlas::Image texture = make_texture(options, model);
+    add_model(outputs, options, model, texture);
+    add_pictures(outputs, options, model, texture, report);
   }
   if (!is_device || !options.report.empty())
     outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
@@ -296,6 +311,8 @@ int run(const Options& options)
   const Stopwatch reading;
   Atlas::Polygon_soup model = Atlas::read_polygon_soup(options.mesh);
   const Atlas::Surface surface = Atlas::build_surface(model.points, model.first, model.vertices);
+  if (options.bakes_colors && model.colors.empty())
+    throw Atlas::IO_error(options.mesh + ": the vertices have no colours to bake");
   const double seconds_reading = reading.seconds();
 
   Progress_printer progress(options);

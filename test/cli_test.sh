@@ -79,6 +79,13 @@ for format in glb ply; do
 done
 rm out/*
 
+# Colours of vertices as a texture.
+sed 's/^v .*/& 0.5 0.25 1/' cube.obj >colored.obj
+expect 0 0 colored.obj -o out/a.obj --bake-colors
+grep -q 'map_Kd a_color.png' out/a.mtl && [ -s out/a_color.png ] || fail "no baked texture"
+rm out/*
+expect 3 1 cube.obj -o out/a.obj --bake-colors
+
 # The same bytes for any number of threads.
 expect 0 0 cube.obj -o out/1.obj --threads 1
 expect 0 0 cube.obj -o out/2.obj --threads 3
@@ -102,7 +109,7 @@ expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
 expect 2 1 cube.obj cube.obj -o out/a.obj
 expect 0 0 --help
-for option in MESH --output --texture-size --gutter --report --threads --picture --quiet; do
+for option in MESH --output --texture-size --gutter --report --threads --picture --bake-colors --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"
 done
 files

@@ -96,7 +96,7 @@ inline std::string histogram_svg(const Histogram& histogram, const std::vector<s
         << left + width * static_cast<double>(i) / static_cast<double>(ticks.size() - 1) << "\" y=\"176\">"
         << ticks[i] << "</text>";
   svg.precision(3);
-  svg << "<text text-anchor=\"end\" x=\"30\" y=\"18\">" << 100 * most << " %</text></svg>\n";
+  svg << "<text text-anchor=\"end\" x=\"508\" y=\"24\">highest bar " << 100 * most << " %</text></svg>\n";
   return svg.str();
 }
 
@@ -122,6 +122,7 @@ public:
     write_histograms();
     write_tables();
     html_ << "</div>\n";
+    write_sides(pictures.view);
     write_rejected();
     html_ << "</main></body></html>\n";
     return html_.str();
@@ -148,8 +149,12 @@ private:
         << image_tag(pictures.stretch, "stretch")
         << "<div class=\"scale\"></div><div class=\"ticks\"><span>1 "
            "(isometric)</span><span>1.41</span><span>2 and more</span>"
-           "</div></section></div>\n<section><h2>From several sides</h2>"
-        << image_tag(pictures.view, "sides") << "</section>\n";
+           "</div></section></div>\n";
+  }
+
+  void write_sides(const Image& view)
+  {
+    html_ << "<section><h2>From several sides</h2>" << image_tag(view, "sides") << "</section>\n";
   }
 
   void write_view()

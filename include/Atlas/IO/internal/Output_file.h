@@ -85,9 +85,6 @@ private:
     errno = 0;
     bool is_good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     is_good = is_good && std::fflush(file) == 0;
-    // Some file systems find out that they are full only now; devices do not know this call.
-    is_good =
-        is_good && (::fsync(::fileno(file)) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP);
     const int error = errno;
     const bool is_closed = std::fclose(file) == 0;
     if (!is_good || !is_closed)

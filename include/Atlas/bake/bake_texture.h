@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_BAKE_BAKE_TEXTURE_H
+#define ATLAS_BAKE_BAKE_TEXTURE_H
+
+#include <Atlas/IO/Image.h>
+#include <Atlas/IO/Polygon_soup.h>
+#include <Atlas/IO/internal/fill_polygon.h>
+#include <Atlas/Surface.h>
+#include <Atlas/bake/nearest_texel.h>
+#include <Atlas/build_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace Atlas {
+
+/// \brief The place on the surface that a texel shows.
+struct Bake_sample
+{
+  Index face;                    ///< of the soup
+  std::array<Index, 3> corners;  ///< of the soup: those of the triangle the texel is in
+  std::array<double, 3> weights; ///< barycentric coordinates, in [0, 1], sum 1
+
+  /// The mean of a value that is given per corner.
+  template <typename Value, typename ValueOfCorner>
+  Value mean(ValueOfCorner value) const
+  {
+    Value sum{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        sum[k] +=
+            static_cast<typename Value::value_type>(weights[i] * value(corners[i])[static_cast<int>(k)]);
+    return sum;
+  }
+};
+
+namespace internal {
+
+/// \brief Which triangle each texel of a page shows.
+class Page_raster
+{
+public:
+  Page_raster(const Polygon_soup& soup, std::size_t size)
+      : soup_(soup), surface_(build_surface(soup.points, soup.first, soup.vertices)), size_(size),
+        triangle_(size * size, no_index)
+  {
+    for (Index t = 0; t < surface_.number_of_triangles(); ++t)
+      cover(t);
+  }
+
+  std::vector<bool> coverage() const
+  {
+    std::vector<bool> result(triangle_.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = triangle_[i] != no_index;
+    return result;
+  }
+
+  Bake_sample sample(std::size_t texel) const
+  {
+    const Index t = triangle_[texel];
+    Bake_sample result;
+    result.face = surface_.face[t];
+    for (std::size_t i = 0; i < 3; ++i)
+      result.corners[i] = surface_.corner[3 * t + i];
+    result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_) + 0.5,
+                                                    static_cast<double>(texel / size_) + 0.5));
+    return result;
+  }
+
+private:
+  /// The corners in texels, y downwards.
+  std::array<Point_2, 3> corners_of(Index t) const
+  {
+    std::array<Point_2, 3> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point_2& p = soup_.uv[surface_.corner[3 * t + i]];
+      result[i] = Point_2(p.x() * static_cast<double>(size_), (1 - p.y()) * static_cast<double>(size_));
+    }
+    return result;
+  }
+
+  void cover(Index t)
+  {
+    const std::array<Point_2, 3> corners = corners_of(t);
+    for (const Point_2& p : corners)
+      if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+        return;
+    bool is_seen = false;
+    fill_polygon(corners, size_, size_, [&](std::size_t x, std::size_t y) {
+      triangle_[y * size_ + x] = t;
+      is_seen = true;
+    });
+    if (is_seen)
+      return;
+    // Triangles between texel centres get the texel that their middle is in, if nobody else does.
+    const Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
+    const double limit = static_cast<double>(size_);
+    if (!(middle.x() >= 0 && middle.y() >= 0 && middle.x() < limit && middle.y() < limit))
+      return;
+    Index& texel =
+        triangle_[static_cast<std::size_t>(middle.y()) * size_ + static_cast<std::size_t>(middle.x())];
+    if (texel == no_index)
+      texel = t;
+  }
+
+  /// Barycentric coordinates, clamped into the triangle: a texel may be a little outside of what it shows.
+  static std::array<double, 3> weights(const std::array<Point_2, 3>& q, const Point_2& p)
+  {
+    const double area = CGAL::determinant(q[1] - q[0], q[2] - q[0]);
+    std::array<double, 3> w{1. / 3, 1. / 3, 1. / 3};
+    if (area == 0)
+      return w;
+    w[1] = std::clamp(CGAL::determinant(p - q[0], q[2] - q[0]) / area, 0.0, 1.0);
+    w[2] = std::clamp(CGAL::determinant(q[1] - q[0], p - q[0]) / area, 0.0, 1.0 - w[1]);
+    w[0] = 1 - w[1] - w[2];
+    return w;
+  }
+
+  const Polygon_soup& soup_;
+  Surface surface_;
+  std::size_t size_;
+  std::vector<Index> triangle_; ///< per texel
+};
+
+} // namespace internal
+
+/// \brief Makes a texture: every texel whose centre lies in a chart shows what `shader` says of its place on
+/// the surface; all others show the nearest of these, so that no gutter is too narrow for interpolation or
+/// smaller versions.
+///
+/// \param soup    with coordinates in [0, 1]^2
+/// \param size    texels a side
+/// \param shader  a callable `Color(const Bake_sample&)`
+///
+/// O(texels + size x triangles that are taller than a texel).
+template <typename Shader>
+Image bake_texture(const Polygon_soup& soup, std::size_t size, Shader shader)
+{
+  const internal::Page_raster raster(soup, size);
+  const std::vector<bool> is_covered = raster.coverage();
+  const std::vector<Index> nearest = nearest_texels(is_covered, size, size);
+  Image image(size, size, {128, 128, 128});
+  for (std::size_t i = 0; i < is_covered.size(); ++i)
+    if (is_covered[i])
+      image.pixels[i] = shader(raster.sample(i));
+  for (std::size_t i = 0; i < is_covered.size(); ++i)
+    if (nearest[i] != no_index)
+      image.pixels[i] = image.pixels[nearest[i]];
+  return image;
+}
+
+/// A colour of components in [0, 1].
+inline Color color_of(const std::array<double, 3>& components)
+{
+  Color color;
+  for (std::size_t k = 0; k < 3; ++k)
+    color[k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(components[k], 0.0, 1.0)));
+  return color;
+}
+
+/// \brief The colours of the vertices as a texture. \pre the soup has colours
+inline Image bake_vertex_colors(const Polygon_soup& soup, std::size_t size)
+{
+  return bake_texture(soup, size, [&](const Bake_sample& sample) {
+    return color_of(
+        sample.mean<std::array<double, 3>>([&](Index c) { return soup.colors[soup.vertices[c]]; }));
+  });
+}
+
+/// \brief Colours given by a function of the position in space as a texture.
+/// \param color_at a callable `Color(const Point_3&)`
+template <typename ColorAt>
+Image bake_procedural(const Polygon_soup& soup, std::size_t size, ColorAt color_at)
+{
+  return bake_texture(soup, size, [&](const Bake_sample& sample) {
+    const auto p = sample.mean<std::array<double, 3>>(
+        [&](Index c) -> const Point_3& { return soup.points[soup.vertices[c]]; });
+    return color_at(Point_3(p[0], p[1], p[2]));
+  });
+}
+
+} // namespace Atlas
+
+#endif
