@@ -6,23 +6,20 @@ include(${PROJECT_SOURCE_DIR}/cmake/AtlasIO.cmake)
 set(atlas_include ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE atlas_headers RELATIVE ${atlas_include} CONFIGURE_DEPENDS ${atlas_include}/Atlas/*.h)
 
-# Headers that stand on more than CGAL's LGPL parts, Boost and Eigen; each says so in its documentation.
-set(atlas_gpl_headers Atlas/parameterization/CGAL_parameterizer.h)
-set(atlas_optional_headers ${atlas_gpl_headers})
-foreach(header IN LISTS atlas_headers)
-  if(header MATCHES "^Atlas/IO/" OR header MATCHES "Stencil_validator|[Cc]holmod|/offscreen|/OSMesa")
-    list(APPEND atlas_optional_headers ${header})
-  endif()
-endforeach()
+# Headers that stand on more than CGAL's LGPL parts, Boost and Eigen; each says so.
+set(atlas_gpl_headers ${atlas_headers})
+list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)")
+set(atlas_optional_headers ${atlas_headers})
+list(FILTER atlas_optional_headers INCLUDE REGEX "^Atlas/IO/|Stencil_validator|OSMesa")
+list(APPEND atlas_optional_headers ${atlas_gpl_headers})
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 
 # atlas_header_checks(NAME SOURCES...): sources that only need to compile.
 function(atlas_header_checks name)
   add_library(${name} OBJECT ${ARGN})
-  target_link_libraries(${name} PRIVATE Atlas::Atlas Atlas_IO OSMesa::OSMesa)
+  target_link_libraries(${name} PRIVATE Atlas::IO)
   target_compile_options(${name} PRIVATE ${ATLAS_WARNINGS} -O0 -g0)
-  if(EXISTS /usr/include/suitesparse)
-    target_include_directories(${name} SYSTEM PRIVATE /usr/include/suitesparse)
-  endif()
+  target_include_directories(${name} SYSTEM PRIVATE ${CHOLMOD_INCLUDE_DIR})
 endfunction()
 
 # Sets RESULT to whether the header includes Atlas/Kernel.h, directly or through others.
