@@ -241,8 +241,11 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
   outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
   outputs.add(beside(output, ".html"),
               Atlas::html_report(model, report, pictures, fs::path(options.mesh).filename().string()));
-  if (!options.picture.empty())
-    outputs.add(options.picture, Atlas::png_bytes(side_by_side(pictures.page, pictures.view)));
+  if (!options.picture.empty()) {
+    const Atlas::Image page =
+        Atlas::draw_atlas(model, report.face_chart, pictures.view.height, report.certificate.culprits);
+    outputs.add(options.picture, Atlas::png_bytes(side_by_side(page, pictures.view)));
+  }
 }
 
 /// Writes everything or nothing. Returns the names of what has been written.
