@@ -95,26 +95,11 @@ private:
     return u;
   }
 
-  /// Numbers the free vertices. A vertex without triangles has no equation; it stays at the origin.
-  static LSCM_system system_of(const internal::Conformal_energy& energy, const std::vector<LSCM_pin>& pins)
-  {
-    LSCM_system system{energy, std::vector<Index>(energy.size(), no_index)};
-    for (const auto& corner : energy.geometry().chart().triangles)
-      for (const Index v : corner)
-        system.column[v] = 0;
-    for (const LSCM_pin& pin : pins)
-      system.column[pin.vertex] = no_index;
-    for (Index& c : system.column)
-      if (c != no_index)
-        c = static_cast<Index>(system.number_of_columns++);
-    return system;
-  }
-
   /// The first solve is a refinement step too: it starts from the pins with zeros elsewhere.
   static bool solve(const internal::Conformal_energy& energy, LSCM_record& record,
                     std::vector<internal::Complex>& u, const Execution& execution)
   {
-    const LSCM_system system = system_of(energy, record.pins);
+    const LSCM_system system = internal::lscm_system(energy, record.pins);
     if (system.number_of_columns == 0)
       return true;
     typename Traits::Solver solver;

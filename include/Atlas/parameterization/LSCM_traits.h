@@ -32,6 +32,25 @@ struct LSCM_system
   std::size_t number_of_columns = 0;
 };
 
+namespace internal {
+
+/// Numbers the free vertices. A vertex without triangles has no equation; it stays where it is.
+inline LSCM_system lscm_system(const Conformal_energy& energy, const std::vector<LSCM_pin>& pins)
+{
+  LSCM_system system{energy, std::vector<Index>(energy.size(), no_index)};
+  for (const auto& corner : energy.geometry().chart().triangles)
+    for (const Index v : corner)
+      system.column[v] = 0;
+  for (const LSCM_pin& pin : pins)
+    system.column[pin.vertex] = no_index;
+  for (Index& c : system.column)
+    if (c != no_index)
+      c = static_cast<Index>(system.number_of_columns++);
+  return system;
+}
+
+} // namespace internal
+
 /// \brief Solves H_ff x = b, H_ff being the block of the conformal energy's matrix of the free vertices.
 template <typename S>
 concept LSCMSolver = std::default_initializable<S> &&

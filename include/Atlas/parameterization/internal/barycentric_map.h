@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -35,44 +36,70 @@ inline void place_on_circle(const Chart_geometry& geometry, const std::vector<In
   }
 }
 
-/// Solves for the inner vertices so that sum over the neighbours w of weight(v, w) (u_w - u_v) = 0. The
-/// border vertices keep their u. `weight` must be symmetric and positive for the map to be one-to-one (Tutte
-/// 1963, Floater 1997). One real factorization, two right-hand sides. \param entries  the weights of
-/// halfedges: (v, w, weight) in any order, repeated pairs are summed
+/// The system sum over the neighbours w of weight(v, w) (u_w - u_v) = 0 for the free vertices v.
+struct Barycentric_system
+{
+  std::vector<int> column;
+  std::vector<Eigen::Triplet<double>> matrix;
+  Eigen::MatrixX2d right;
+  int columns = 0;
+
+  /// \param entries  (v, w, weight) in any order, repeated pairs are summed
+  Barycentric_system(std::size_t n, const std::vector<bool>& is_fixed,
+                     const std::vector<Eigen::Triplet<double>>& entries, const std::vector<Complex>& u)
+      : column(n, -1)
+  {
+    for (std::size_t v = 0; v < n; ++v)
+      if (!is_fixed[v])
+        column[v] = columns++;
+    right = Eigen::MatrixX2d::Zero(columns, 2);
+    for (const auto& e : entries) {
+      const int r = column[e.row()], c = column[e.col()];
+      if (r < 0)
+        continue;
+      matrix.emplace_back(r, r, e.value());
+      if (c < 0)
+        right.row(r) += e.value() * Eigen::RowVector2d(u[e.col()].real(), u[e.col()].imag());
+      else
+        matrix.emplace_back(r, c, -e.value());
+    }
+  }
+
+  /// Solves with a sparse solver of Eigen and writes the free vertices' u.
+  template <typename Solver>
+  bool solve(std::vector<Complex>& u) const
+  {
+    if (columns == 0)
+      return true;
+    Eigen::SparseMatrix<double> a(columns, columns);
+    a.setFromTriplets(matrix.begin(), matrix.end());
+    Solver solver;
+    solver.compute(a);
+    if (solver.info() != Eigen::Success)
+      return false;
+    const Eigen::MatrixX2d x = solver.solve(right);
+    if (!x.allFinite())
+      return false;
+    for (std::size_t v = 0; v < column.size(); ++v)
+      if (column[v] >= 0)
+        u[v] = {x(column[v], 0), x(column[v], 1)};
+    return true;
+  }
+};
+
+/// The border vertices keep their u. With symmetric positive weights the map is one-to-one if the border is
+/// convex (Tutte 1963, Floater 1997).
 inline bool solve_symmetric(std::size_t n, const std::vector<bool>& is_fixed,
                             const std::vector<Eigen::Triplet<double>>& entries, std::vector<Complex>& u)
 {
-  std::vector<int> column(n, -1);
-  int columns = 0;
-  for (std::size_t v = 0; v < n; ++v)
-    if (!is_fixed[v])
-      column[v] = columns++;
-  if (columns == 0)
-    return true;
-  std::vector<Eigen::Triplet<double>> lower;
-  Eigen::MatrixX2d b = Eigen::MatrixX2d::Zero(columns, 2);
-  for (const auto& e : entries) {
-    const int r = column[e.row()], c = column[e.col()];
-    if (r < 0)
-      continue;
-    lower.emplace_back(r, r, e.value());
-    if (c < 0)
-      b.row(r) += e.value() * Eigen::RowVector2d(u[e.col()].real(), u[e.col()].imag());
-    else if (c < r)
-      lower.emplace_back(r, c, -e.value());
-  }
-  Eigen::SparseMatrix<double> matrix(columns, columns);
-  matrix.setFromTriplets(lower.begin(), lower.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(matrix);
-  if (ldlt.info() != Eigen::Success)
-    return false;
-  const Eigen::MatrixX2d x = ldlt.solve(b);
-  if (!x.allFinite())
-    return false;
-  for (std::size_t v = 0; v < n; ++v)
-    if (column[v] >= 0)
-      u[v] = {x(column[v], 0), x(column[v], 1)};
-  return true;
+  return Barycentric_system(n, is_fixed, entries, u)
+      .solve<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(u);
+}
+
+inline bool solve_unsymmetric(std::size_t n, const std::vector<bool>& is_fixed,
+                              const std::vector<Eigen::Triplet<double>>& entries, std::vector<Complex>& u)
+{
+  return Barycentric_system(n, is_fixed, entries, u).solve<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(u);
 }
 
 } // namespace Atlas::internal

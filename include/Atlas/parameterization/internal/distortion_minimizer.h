@@ -173,10 +173,10 @@ private:
     const auto [f, g] = derivative(rest, u_[corner[0]], u_[corner[1]], u_[corner[2]]);
     const double r = std::abs(f), s = std::abs(g);
     const Complex ef = f / r, eg = s > 0 ? g / s : Complex(1);
-    const Triangle_energy d = Energy::derivatives(r, s);
+    const Triangle_energy d = Energy::derivatives(r + s, r - s);
 
     // Cholesky factor of the radial 2x2 matrix: l00 (y_r + l10 y_s)^2 + l11 y_s^2.
-    const double l10 = d.krs / d.krr, l11 = std::max(0., d.kss - d.krs * l10);
+    const double l10 = d.krr > 0 ? d.krs / d.krr : 0, l11 = std::max(0., d.kss - d.krs * l10);
     const std::array<double, 4> weight{std::sqrt(rest.area * d.krr), std::sqrt(rest.area * l11),
                                        std::sqrt(rest.area * d.tangential_f),
                                        std::sqrt(rest.area * d.tangential_g)};
