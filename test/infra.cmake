@@ -43,9 +43,11 @@ function(atlas_reaches_kernel header result)
   set(${result} ${reaches} PARENT_SCOPE)
 endfunction()
 
-# Every header compiles alone, and twice. Those that include Atlas/Kernel.h find it precompiled: CGAL's kernel
+# Every public header compiles alone, and twice. Those that include Atlas/Kernel.h find it precompiled: CGAL's kernel
 # takes longer than all the rest.
-foreach(header IN LISTS atlas_headers)
+set(atlas_public_headers ${atlas_headers})
+list(FILTER atlas_public_headers EXCLUDE REGEX "/internal/")
+foreach(header IN LISTS atlas_public_headers)
   string(REGEX REPLACE "[/.]" "_" name ${header})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "#include <@header@>\n#include <@header@>\n" @ONLY)
