@@ -99,7 +99,7 @@ private:
   void push(Index t)
   {
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      if (piece_.opposite[h] != no_index)
+      if (piece_.opposite[h] != no_index && boundaries_.is_boundary(h))
         queue_.push({distance_[t], order_++, h});
   }
 

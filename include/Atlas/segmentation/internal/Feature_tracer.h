@@ -26,8 +26,7 @@ public:
         is_blocked_(piece.opposite.size(), 0), is_on_curve_(piece.opposite.size(), 0)
   {
     list_sharpest_edges();
-    for (const float s : sharpness)
-      steepest_ = std::max(steepest_, s);
+    bound_strings();
   }
 
   /// Returns the features, per halfedge.
@@ -74,6 +73,20 @@ private:
     }
   }
 
+  /// Per number of edges and vertex, how sharp a string of so many edges from there can be at most. It lets
+  /// the search leave most branches.
+  void bound_strings()
+  {
+    bound_.assign(static_cast<std::size_t>(std::max(max_string_length_, 1)),
+                  std::vector<float>(piece_.number_of_vertices(), 0));
+    for (std::size_t length = 1; length < bound_.size(); ++length)
+      for (Index v = 0; v < piece_.number_of_vertices(); ++v)
+        for (Index k = first_branch_[v]; k < first_branch_[v + 1]; ++k) {
+          const Index h = branches_[k];
+          bound_[length][v] = std::max(bound_[length][v], sharpness_[h] + bound_[length - 1][piece_.head(h)]);
+        }
+  }
+
   Vector_3 direction(Index h) const { return surface_.point(next_halfedge(h)) - surface_.point(h); }
 
   void block(Index h) { is_blocked_[h] = is_blocked_[piece_.opposite[h]] = 1; }
@@ -118,7 +131,7 @@ private:
   }
 
   /// Depth-first search of all ways on from vertex v; a branch is left when the sharpest edge of its vertex
-  /// shows that it cannot win. (Edges are sorted, so the rest of the list cannot win either.)
+  /// shows that it cannot win.
   void search(Index v, int left, float sum, const Vector_3& forward, Index second,
               std::pair<float, Index>& best) const
   {
@@ -128,8 +141,8 @@ private:
       return;
     for (Index k = first_branch_[v]; k < first_branch_[v + 1]; ++k) {
       const Index h = branches_[k];
-      if (sum + sharpness_[h] + static_cast<float>(left - 1) * steepest_ <= best.first)
-        break;
+      if (sum + sharpness_[h] + bound_[left - 1][piece_.head(h)] <= best.first)
+        continue;
       if (is_blocked_[h] || !(direction(h) * forward > 0))
         continue;
       search(piece_.head(h), left - 1, sum + sharpness_[h], forward, second == no_index ? h : second, best);
@@ -161,8 +174,8 @@ private:
   const Piece& piece_;
   const std::vector<float>& sharpness_;
   float threshold_;
-  float steepest_ = 0; ///< the largest sharpness
   int max_string_length_, min_feature_length_, neighborhood_rings_;
+  std::vector<std::vector<float>> bound_;
   std::vector<Index> first_branch_,
       branches_; ///< per vertex: its sharpest outgoing halfedges, sharpest first
   std::vector<std::uint8_t> is_feature_;

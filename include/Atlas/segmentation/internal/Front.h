@@ -4,6 +4,7 @@
 
 #include <Atlas/Surface.h>
 #include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/segmentation/internal/triangle_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +60,6 @@ private:
   }
 
   const Point_3& place(Index h) const { return surface_.point(piece_.global(h)); }
-
-  static double distance_between(const Point_3& p, const Point_3& q)
-  {
-    return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-  }
 
   /// From the vertex at the tail of h, just done, to the two others of its triangle.
   void cross_triangle(Index h)

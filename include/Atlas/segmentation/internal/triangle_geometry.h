@@ -9,11 +9,18 @@
 
 namespace Atlas::internal {
 
-/// The length of an edge, without overflow or underflow on the way.
+/// The distance of two points, without overflow or underflow on the way.
+inline double distance_between(const Point_3& p, const Point_3& q)
+{
+  constexpr double largest = 1e300, smallest = 1e-280;
+  const double x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
+  const double square = x * x + y * y + z * z;
+  return square < largest && square > smallest ? std::sqrt(square) : std::hypot(x, y, z);
+}
+
 inline double edge_length(const Surface& surface, Index h)
 {
-  const Vector_3 e = surface.point(next_halfedge(h)) - surface.point(h);
-  return std::hypot(e.x(), e.y(), e.z());
+  return distance_between(surface.point(h), surface.point(next_halfedge(h)));
 }
 
 /// Twice the area vector divided by the square of `scale`, the largest component of the edges at corner 0: in
