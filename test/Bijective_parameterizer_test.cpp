@@ -259,4 +259,82 @@ TEST(Bijective_parameterizer, says_why_it_refuses)
   EXPECT_EQ(Bijective_parameterizer<>().parameterize(chart, execution), Chart_status::cancelled);
 }
 
+/// The kinds of charts on which flattenings break, by number.
+Chart stress_chart(unsigned number)
+{
+  std::mt19937 random(number);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const Index n = 6 + number % 13;
+  const double size = uniform(0.5, 4);
+  switch (number % 8) {
+  case 0: // rugged terrain
+    return height_field(n, size, number);
+  case 1: // saddles, up to very steep ones
+    return test::chart_of(test::grid(
+        n, n, [=](double x, double y) { return Point_3(x, y, 3 * size * (x - 0.5) * (y - 0.5)); }));
+  case 2:
+    return spiral(size);
+  case 3: // a frilled ring
+    return test::chart_of(test::grid(12 * n, 3, [=](double x, double y) {
+      const double a = 6.1 * x;
+      return Point_3((1 + y) * std::cos(a), (1 + y) * std::sin(a), size * y * std::sin(9 * a));
+    }));
+  case 4: { // columns of needles, of aspect 1e-9 and below
+    const double width = std::pow(10, -9 - std::floor(3 * size));
+    return test::chart_of(test::grid(2 * n, n, [=](double x, double y) {
+      const int column = static_cast<int>(std::lround(2 * n * x));
+      return Point_3((column / 2 + column % 2 * width) / n, y, 0.1 * std::sin(5 * y));
+    }));
+  }
+  case 5: { // a vertex of valence 10,000, or less
+    test::Soup soup;
+    const Index valence = number % 16 == 5 ? 10000 : 50 * n;
+    soup.points.emplace_back(0, 0, uniform(-1, 1));
+    for (Index i = 0; i < valence; ++i) {
+      const double a = 2 * M_PI * i / valence;
+      soup.points.emplace_back(std::cos(a), std::sin(a), uniform(0, size / valence));
+    }
+    for (Index i = 0; i < valence; ++i)
+      soup.polygons.push_back({0, 1 + i, 1 + (i + 1) % valence});
+    return test::chart_of(soup);
+  }
+  case 6: // deep tubes
+    return tube(n + 5 * (number % 20));
+  default: { // caps, of height 0 to 1e-6, on flat ground
+    test::Soup soup = test::planar_grid(n, n);
+    const double height = number % 3 == 0 ? 0 : std::pow(10, -3 * size);
+    const std::size_t count = soup.polygons.size();
+    for (std::size_t i = 0; i < count; i += 3) {
+      const std::vector<Index> t = soup.polygons[i];
+      const Index v = static_cast<Index>(soup.points.size());
+      soup.points.push_back(CGAL::barycenter(soup.points[t[0]], 0.5, soup.points[t[1]], 0.5 - height,
+                                             soup.points[t[2]], height));
+      soup.polygons[i] = {t[0], t[1], v};
+      soup.polygons.insert(soup.polygons.end(), {{t[1], t[2], v}, {t[2], t[0], v}});
+    }
+    return test::chart_of(soup);
+  }
+  }
+}
+
+TEST(Bijective_parameterizer, flattens_two_hundred_hard_charts_one_to_one)
+{
+  std::array<int, 3> starts{};
+  for (unsigned number = 0; number < 200; ++number) {
+    Chart chart = stress_chart(number);
+    Flattening_record record;
+    ASSERT_TRUE(topology(chart).is_disc()) << number;
+    EXPECT_EQ(Bijective_parameterizer<>().parameterize(chart, Execution(), record), Chart_status::valid)
+        << number;
+    if (chart.number_of_triangles() < 5000) { // the test looks at all pairs of border edges
+      EXPECT_TRUE(is_one_to_one(chart)) << number;
+    }
+    ++starts[static_cast<int>(record.start)];
+  }
+  for (const int count : starts) // all ways are needed
+    EXPECT_GT(count, 0);
+}
+
 } // namespace
