@@ -49,8 +49,8 @@ struct Page_options
   Chart_rotation rotation = Chart_rotation::any;
   Chart_stacking stacking = Chart_stacking::none;
   std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
-  std::vector<Index> groups; ///< per chart: charts of a group keep their mutual places as in their plane and
-                             ///< move as one; `no_index`: alone
+  std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places as in their plane
+                                  ///< and move as one; `no_index`: alone
 
   /// The distance that is kept between charts, with mip levels and blocks: two points of one block are nearer
   /// than its diagonal.
