@@ -4,6 +4,7 @@
 #define ATLAS_TEST_CHARTS_H
 
 #include <Atlas/Chart.h>
+#include <Atlas/Packing.h>
 
 #include <cmath>
 #include <cstdint>

@@ -13,17 +13,51 @@
 
 namespace Atlas::internal {
 
-/// Segments with one chart on their left.
+/// Segments that bound a chart, with the directions that lead out of it.
 struct Segment_set
 {
   std::vector<Vec2> points;
   std::vector<std::array<Index, 2>> segments;
+  std::vector<Vec2> segment_normals; ///< outwards; none if it is not known where that is
+  std::vector<Vec2> point_normals;   ///< sums of those of the segments that meet there
+
+  struct Closest
+  {
+    Vec2 point, normal;
+  };
 
   Vec2 closest_point(Index s, Vec2 p) const
   {
     const Vec2 a = points[segments[s][0]], d = points[segments[s][1]] - a;
     const double l = dot(d, d), t = l > 0 ? std::clamp(dot(p - a, d) / l, 0.0, 1.0) : 0.0;
     return a + t * d;
+  }
+
+  /// The point of the segment closest to `p`, with a normal that tells whether `p` is outside.
+  Closest closest(Index s, Vec2 p) const
+  {
+    const Vec2 a = points[segments[s][0]], b = points[segments[s][1]], d = b - a;
+    const double l = dot(d, d), t = l > 0 ? dot(p - a, d) / l : 0.0;
+    const bool is_oriented = !segment_normals.empty();
+    if (t <= 0)
+      return {a, is_oriented ? point_normals[segments[s][0]] : Vec2{}};
+    if (t >= 1)
+      return {b, is_oriented ? point_normals[segments[s][1]] : Vec2{}};
+    return {a + t * d, is_oriented ? segment_normals[s] : Vec2{}};
+  }
+
+  /// Finds the normals of segments that have the chart on their left (`orientation` 1) or right (-1).
+  void orient(int orientation)
+  {
+    point_normals.assign(points.size(), Vec2{});
+    for (const auto& [i, j] : segments) {
+      const Vec2 d = points[j] - points[i];
+      const double l = length(d);
+      const Vec2 n = l > 0 ? (orientation / l) * Vec2{d.y, -d.x} : Vec2{};
+      segment_normals.push_back(n);
+      point_normals[i] = point_normals[i] + n;
+      point_normals[j] = point_normals[j] + n;
+    }
   }
 };
 
@@ -104,16 +138,16 @@ public:
   }
 
   /// The nearest point of the segments that are nearest to the corners of the cell.
-  Vec2 closest_point(const Segment_set& set, const Sample& s, Vec2 p) const
+  Segment_set::Closest closest(const Segment_set& set, const Sample& s, Vec2 p) const
   {
     const std::array<Index, 4> ids{nearest_[s.node], nearest_[s.node + 1], nearest_[s.node + nx_],
                                    nearest_[s.node + nx_ + 1]};
-    Vec2 best = set.closest_point(ids[0], p);
+    Segment_set::Closest best = set.closest(ids[0], p);
     for (int i = 1; i < 4; ++i) {
       if (std::find(ids.begin(), ids.begin() + i, ids[i]) != ids.begin() + i)
         continue;
-      const Vec2 q = set.closest_point(ids[i], p);
-      if (dot(q - p, q - p) < dot(best - p, best - p))
+      const Segment_set::Closest q = set.closest(ids[i], p);
+      if (dot(q.point - p, q.point - p) < dot(best.point - p, best.point - p))
         best = q;
     }
     return best;

@@ -263,6 +263,12 @@ private:
       collect_sample(b, place((*shapes_)[a].samples[i]), sign, wanted, clearance);
   }
 
+  static Vec2 direction(Vec2 v)
+  {
+    const double l = length(v);
+    return l > 1e-3 ? (1 / l) * v : Vec2{1, 0};
+  }
+
   void collect_sample(Index b, Vec2 p, double sign, double wanted, double& clearance)
   {
     const Packing_shape& to = (*shapes_)[b];
@@ -272,17 +278,20 @@ private:
     Vec2 normal{1, 0};
     const double s = layout_.scale;
     if (sample.is_inside_grid && (d - to.field.cell()) * s < wanted) {
-      const Vec2 q = to.field.closest_point(to.set, sample, p);
-      const double l = length(p - q);
+      const Segment_set::Closest q = to.field.closest(to.set, sample, p);
+      const Vec2 away = p - q.point;
+      const double l = length(away), cell = to.field.cell();
+      const bool is_oriented = !to.set.segment_normals.empty() && std::abs(d) < 1.5 * cell;
       work_ += 25;
-      // Near the border the sign is not known for sure, but by far is it there.
-      if (d > 0.3 * to.field.cell() && l > 0) {
+      if (is_oriented) {
+        const double side = dot(away, q.normal);
+        d = side >= 0 ? l : -l;
+        normal = l > 1e-9 * cell ? (1 / d) * away : direction(q.normal);
+      } else if (d > 0.3 * cell && l > 0) { // outside for sure
         d = l;
-        normal = (1 / l) * (p - q);
+        normal = (1 / l) * away;
       } else {
-        normal = to.field.gradient(sample);
-        const double g = length(normal);
-        normal = g > 1e-3 ? (1 / g) * normal : (length(p) > 0 ? (1 / length(p)) * p : Vec2{1, 0});
+        normal = direction(to.field.gradient(sample));
       }
     }
     const double depth = wanted - d * s;

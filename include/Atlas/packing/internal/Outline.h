@@ -53,6 +53,7 @@ struct Outline
   std::vector<Index> vertices;                ///< per point: the vertex of the chart
   std::vector<std::array<Index, 2>> segments; ///< those of the border first, the inside on their left
   std::size_t number_of_border_segments = 0;
+  int orientation = 0; ///< 1: the triangles are counterclockwise, -1: clockwise, 0: both or degenerate
   std::vector<std::array<Vec2, 3>> triangles; ///< only of folded charts, whose border alone does not tell
                                               ///< what is inside
   std::vector<Index> seeds;                   ///< one point of each connected part of the segments
@@ -162,6 +163,7 @@ inline void build_outline(const Chart& chart, double unit, Outline& outline)
     }
     return local[v];
   };
+  outline.orientation = is_folded ? 0 : majority;
   const auto add_segment = [&](Index h) {
     const Index n = next_halfedge(h);
     outline.segments.push_back({point(chart.triangles[h / 3][h % 3]), point(chart.triangles[n / 3][n % 3])});

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -101,7 +102,7 @@ public:
       is_relaxed = elastic_.relax(40);
     }
     if (is_relaxed && accept())
-      inflate(0.006);
+      inflate(0.006, start_work());
     current_ = best_;
   }
 
@@ -138,6 +139,8 @@ public:
 
 private:
   static double slack() { return 0.02; }
+  /// What the first layout may cost before it is taken as it is.
+  std::uint64_t start_work() const { return 50'000'000 + 20'000 * problem_->shapes.size(); }
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
@@ -175,7 +178,7 @@ private:
       best = attempt(scale);
     }
     for (const double step : {0.02, 0.007})
-      while (best && !execution.is_cancelled()) {
+      while (best && work() < start_work() / 2 && !execution.is_cancelled()) {
         auto next = attempt(scale * (1 + step));
         if (!next)
           break;
@@ -243,10 +246,10 @@ private:
   }
 
   /// Raises the scale in ever smaller steps as long as shapes can be pushed apart.
-  void inflate(double step)
+  void inflate(double step, std::uint64_t work_limit)
   {
     Elastic_layout good = elastic_;
-    while (step > 0.0004) {
+    while (step > 0.0004 && work() < work_limit) {
       elastic_.set_scale(good.layout().scale * (1 + step));
       if (elastic_.relax(100))
         good = elastic_;
@@ -330,7 +333,7 @@ private:
       go_back(before);
       return;
     }
-    inflate(0.003);
+    inflate(0.003, std::numeric_limits<std::uint64_t>::max());
     if (elastic_.layout().scale >= scale * (1 - loss))
       current_ = elastic_.layout();
     else

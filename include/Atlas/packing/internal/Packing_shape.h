@@ -136,6 +136,8 @@ inline Packing_shape packing_shape(const Outline& outline, const Shape_resolutio
     if (is_border)
       border = shape.set.segments.size();
   }
+  if (outline.orientation != 0 && border == shape.set.segments.size())
+    shape.set.orient(outline.orientation);
   build_nodes(shape, 0, static_cast<Index>(shape.samples.size()));
 
   std::vector<std::array<Vec2, 3>> triangles;

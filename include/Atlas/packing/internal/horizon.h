@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -161,21 +160,22 @@ private:
   {
     const std::size_t n = horizon_.size();
     windows_.resize(n);
-    falling_.clear();
+    falling_.resize(n);
+    std::size_t begin = 0, end = 0; // of the queue of columns that are higher than all after them
     for (std::size_t i = 0; i < n; ++i) {
-      while (!falling_.empty() && horizon_[falling_.back()] <= horizon_[i])
-        falling_.pop_back();
-      falling_.push_back(i);
-      if (falling_.front() + w <= i)
-        falling_.pop_front();
+      while (end > begin && horizon_[falling_[end - 1]] <= horizon_[i])
+        --end;
+      falling_[end++] = i;
+      if (falling_[begin] + w <= i)
+        ++begin;
       if (i + 1 >= w)
-        windows_[i + 1 - w] = horizon_[falling_.front()];
+        windows_[i + 1 - w] = horizon_[falling_[begin]];
     }
   }
 
   double height_;
   std::vector<double> horizon_, sums_, windows_;
-  std::deque<std::size_t> falling_;
+  std::vector<std::size_t> falling_;
 };
 
 } // namespace Atlas::internal

@@ -105,7 +105,9 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
     }
     return layout;
   };
-  return search_scale(outlines, page, most_scale, 1e-3, attempt);
+  // Thousands of charts on a large page are not worth ten attempts.
+  const double precision = double(outlines.size()) * page.width > 1e7 ? 5e-3 : 1e-3;
+  return search_scale(outlines, page, most_scale, precision, attempt);
 }
 
 } // namespace Atlas::internal

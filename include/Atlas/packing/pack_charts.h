@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_PACK_CHARTS_H
+#define ATLAS_PACKING_PACK_CHARTS_H
+
+#include <Atlas/Chart.h>
+#include <Atlas/Surface.h>
+#include <Atlas/concepts.h>
+#include <Atlas/extract_charts.h>
+#include <Atlas/packing/Raster_packer.h>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace Atlas {
+
+/// \brief Coordinates that have been packed anew.
+struct Repacked_charts
+{
+  std::vector<Point_2> uv;   ///< per input corner: in [0, 1]^2 of its page; as it was where it was not finite
+  std::vector<Index> page;   ///< per input corner
+  std::vector<Chart> charts; ///< in the coordinates that came in
+  Segmentation segmentation; ///< which triangle is in which chart; those without coordinates in none
+  Packing packing;
+};
+
+/// The charts that coordinates at corners make of a surface: triangles are glued along edges at both ends of
+/// which their coordinates are equal. Triangles without finite coordinates get the chart `no_index`. Linear.
+inline Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2> uv)
+{
+  const std::size_t n = surface.number_of_triangles();
+  const auto at = [&](Index h) -> const Point_2& { return uv[surface.corner[h]]; };
+  const auto is_finite = [&](Index h) { return std::isfinite(at(h).x()) && std::isfinite(at(h).y()); };
+  Segmentation result{std::vector<Index>(n, no_index), std::vector<std::uint8_t>(3 * n, 0), 0};
+  for (Index h = 0; h < 3 * n; ++h) {
+    const Index o = surface.opposite[h];
+    result.cut[h] = o != no_index && (at(h) != at(next_halfedge(o)) || at(next_halfedge(h)) != at(o));
+  }
+  std::vector<Index> stack;
+  for (Index seed = 0; seed < n; ++seed) {
+    const auto enter = [&](Index t) {
+      if (result.chart[t] != no_index || !is_finite(3 * t) || !is_finite(3 * t + 1) || !is_finite(3 * t + 2))
+        return false;
+      result.chart[t] = result.number_of_charts;
+      stack.push_back(t);
+      return true;
+    };
+    if (!enter(seed))
+      continue;
+    while (!stack.empty()) {
+      const Index t = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (surface.opposite[h] != no_index && !result.cut[h])
+          enter(surface.opposite[h] / 3);
+    }
+    ++result.number_of_charts;
+  }
+  return result;
+}
+
+/// \brief Packs texture coordinates that came from elsewhere; the shapes of charts stay as they are.
+///
+/// \param uv  per corner of the input: its coordinates; not finite where there are none
+///
+/// Charts keep their relative sizes, but for `page.weights`; overlapping or folded charts are packed as they
+/// are. Charts are numbered in the order of their first triangles.
+template <ChartPacker Packer = Raster_packer>
+Repacked_charts pack_charts(const Surface& surface, std::span<const Point_2> uv,
+                            const Page_options& page = {}, const Packer& packer = Packer(),
+                            const Execution& execution = Execution())
+{
+  Repacked_charts result;
+  result.uv.assign(uv.begin(), uv.end());
+  result.page.assign(uv.size(), 0);
+  result.segmentation = charts_of_uv(surface, uv);
+  std::vector<std::vector<Index>> triangles(result.segmentation.number_of_charts);
+  for (Index t = 0; t < surface.number_of_triangles(); ++t)
+    if (const Index c = result.segmentation.chart[t]; c != no_index)
+      triangles[c].push_back(t);
+  std::vector<Index> local(surface.number_of_triangles());
+  for (const std::vector<Index>& list : triangles) {
+    Chart chart = extract_chart(surface, result.segmentation, list, local);
+    chart.uv.resize(chart.number_of_vertices());
+    for (std::size_t t = 0; t < list.size(); ++t)
+      for (Index i = 0; i < 3; ++i)
+        chart.uv[chart.triangles[t][i]] = uv[surface.corner[3 * list[t] + i]];
+    result.charts.push_back(std::move(chart));
+  }
+  result.packing = packer.pack(result.charts, page, execution);
+  for (std::size_t c = 0; c < triangles.size(); ++c) {
+    const Placement& placement = result.packing.placements[c];
+    for (const Index t : triangles[c])
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        const Point_2 texel = placement(uv[surface.corner[h]]);
+        result.uv[surface.corner[h]] = Point_2(texel.x() / page.width, texel.y() / page.height);
+        result.page[surface.corner[h]] = placement.page;
+      }
+  }
+  return result;
+}
+
+} // namespace Atlas
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/pack_charts.h>
+#include <Atlas/packing/packing_clearance.h>
+
+#include "test_charts.h"
+#include "test_meshes.h"
+
+namespace Atlas {
+namespace {
+
+using namespace test;
+
+Page_options page_of(Index size, double gutter = 2)
+{
+  Page_options page;
+  page.width = page.height = size;
+  page.gutter = gutter;
+  return page;
+}
+
+void expect_clear(const std::vector<Chart>& charts, const Packing& packing, const Page_options& page,
+                  double gutter)
+{
+  const Packing_clearance clearance = packing_clearance(charts, packing, page, gutter);
+  EXPECT_GE(clearance.charts, gutter);
+  EXPECT_GE(clearance.border, gutter / 2);
+}
+
+TEST(Raster_packer, is_never_below_the_horizon_and_keeps_the_gutter)
+{
+  for (const Chart_family family : all_chart_families) {
+    SCOPED_TRACE(static_cast<int>(family));
+    const std::vector<Chart> charts = random_charts(family, 17, 12);
+    const Page_options page = page_of(256, 3);
+    const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+    expect_clear(charts, packing, page, 3);
+    EXPECT_GE(packing.density, Horizon_packer().pack(charts, page, Execution(1)).density);
+    EXPECT_GE(packing.gutter, 3 - 1e-9);
+  }
+}
+
+TEST(Raster_packer, is_monotone_in_effort_and_the_same_for_any_number_of_threads)
+{
+  const std::vector<Chart> charts = random_charts(Chart_family::blobs, 3, 12);
+  const Page_options page = page_of(512);
+  const Packing fast = Raster_packer(Packing_effort::fast).pack(charts, page, Execution(1));
+  const Packing normal = Raster_packer(Packing_effort::normal).pack(charts, page, Execution(1));
+  const Packing threads = Raster_packer(Packing_effort::normal).pack(charts, page, Execution(3));
+  EXPECT_GT(normal.density, fast.density);
+  expect_clear(charts, normal, page, 2);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    EXPECT_EQ(normal.placements[i].a, threads.placements[i].a);
+    EXPECT_EQ(normal.placements[i].b, threads.placements[i].b);
+    EXPECT_EQ(normal.placements[i].x, threads.placements[i].x);
+    EXPECT_EQ(normal.placements[i].y, threads.placements[i].y);
+  }
+  EXPECT_GT(efficiency(charts, normal, page),
+            1.25 * efficiency(charts, Horizon_packer().pack(charts, page, Execution(1)), page));
+}
+
+TEST(Raster_packer, puts_small_charts_into_holes)
+{
+  // A frame and a square that fits its hole: side by side they would need a third more.
+  const std::vector<Chart> charts{ring_chart(8, 10, 64), ring_chart(3, 6, 64)};
+  const Page_options page = page_of(256);
+  const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_GT(packing.density * 20, 250);
+  expect_clear(charts, packing, page, 2);
+}
+
+TEST(Raster_packer, keeps_folded_charts_apart)
+{
+  // The third triangle lies over the first two.
+  const Chart folded =
+      flat_chart({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.9, 0.4}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
+  const std::vector<Chart> charts(6, folded);
+  const Page_options page = page_of(128);
+  expect_clear(charts, Raster_packer().pack(charts, page, Execution(1)), page, 2);
+}
+
+TEST(Page_options, turns_charts_only_as_allowed)
+{
+  const std::vector<Chart> charts = random_charts(Chart_family::blobs, 4, 15);
+  Page_options page = page_of(256);
+  page.rotation = Chart_rotation::none;
+  Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  for (const Placement& p : packing.placements)
+    EXPECT_TRUE(p.b == 0 && p.a > 0);
+  expect_clear(charts, packing, page, 2);
+  page.rotation = Chart_rotation::quarter_turns;
+  packing = Raster_packer().pack(charts, page, Execution(1));
+  for (const Placement& p : packing.placements)
+    EXPECT_TRUE(p.a == 0 || p.b == 0);
+  expect_clear(charts, packing, page, 2);
+}
+
+TEST(Page_options, widens_the_gutter_for_mip_levels_and_blocks)
+{
+  const std::vector<Chart> charts = random_charts(Chart_family::blobs, 5, 8);
+  Page_options page = page_of(256);
+  page.mip_levels = 3;
+  expect_clear(charts, Raster_packer().pack(charts, page, Execution(1)), page, 8);
+  page.mip_levels = 0;
+  page.block = 4;
+  expect_clear(charts, Raster_packer().pack(charts, page, Execution(1)), page, 4 * std::sqrt(2));
+}
+
+TEST(Page_options, fills_as_many_pages_as_a_density_takes)
+{
+  const std::vector<Chart> charts = random_charts(Chart_family::blobs, 6, 30);
+  Page_options page = page_of(128);
+  page.density = 36;
+  const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_NEAR(packing.density, 36, 1e-9);
+  EXPECT_GT(packing.number_of_pages, 2u);
+  expect_clear(charts, packing, page, 2);
+  std::set<Index> used;
+  for (const Placement& p : packing.placements) {
+    EXPECT_NEAR(std::hypot(p.a, p.b), 36, 1e-9);
+    used.insert(p.page);
+  }
+  EXPECT_EQ(used.size(), packing.number_of_pages);
+  // A chart that is larger than a page lowers the density.
+  page.density = 1e4;
+  const Packing lowered = Horizon_packer().pack(charts, page, Execution(1));
+  EXPECT_LT(lowered.density, 1e4);
+  EXPECT_GT(lowered.density, 0);
+  expect_clear(charts, lowered, page, 2);
+}
+
+TEST(Page_options, spreads_charts_over_several_pages)
+{
+  const std::vector<Chart> charts = random_charts(Chart_family::blobs, 7, 20);
+  Page_options page = page_of(128);
+  const Packing one = Raster_packer().pack(charts, page, Execution(1));
+  page.pages = 4;
+  const Packing four = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_EQ(four.number_of_pages, 4u);
+  EXPECT_GT(four.density, 1.5 * one.density);
+  for (const Placement& p : four.placements)
+    EXPECT_NEAR(std::hypot(p.a, p.b), four.density, 1e-9 * four.density);
+  expect_clear(charts, four, page, 2);
+  EXPECT_EQ(udim_tile(0), 1001u);
+  EXPECT_EQ(udim_tile(9), 1010u);
+  EXPECT_EQ(udim_tile(10), 1011u);
+}
+
+TEST(Page_options, weighs_densities)
+{
+  const std::vector<Chart> charts(4, rectangle_chart(1, 2));
+  Page_options page = page_of(128);
+  page.weights = {1, 2, 0.5, 1};
+  const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(std::hypot(packing.placements[i].a, packing.placements[i].b),
+                packing.density * page.weights[i], 1e-9 * packing.density);
+  expect_clear(charts, packing, page, 2);
+}
+
+TEST(Page_options, moves_groups_as_one)
+{
+  std::vector<Chart> charts = random_charts(Chart_family::blobs, 8, 6);
+  for (Point_2& p : charts[1].uv)
+    p = Point_2(p.x() + 3, p.y());
+  Page_options page = page_of(256);
+  page.groups = {7, 7, no_index, no_index, no_index, no_index};
+  const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_EQ(packing.placements[0].a, packing.placements[1].a);
+  EXPECT_EQ(packing.placements[0].x, packing.placements[1].x);
+  EXPECT_NE(packing.placements[0].x, packing.placements[2].x);
+  expect_clear(charts, packing, page, 2);
+}
+
+TEST(Page_options, stacks_copies_on_request)
+{
+  std::mt19937 random(11);
+  const Chart model = blob_chart(random, 1);
+  Chart turned = model, mirrored = model;
+  for (Point_2& p : turned.uv)
+    p = Point_2(5 - p.y(), 2 + p.x());
+  for (Point_2& p : mirrored.uv)
+    p = Point_2(-p.x(), p.y());
+  for (auto& t : mirrored.triangles)
+    std::swap(t[1], t[2]);
+  const std::vector<Chart> charts{model, turned, mirrored, blob_chart(random, 1)};
+  Page_options page = page_of(256);
+  const auto same_place = [&](const Packing& packing, std::size_t i) {
+    for (std::size_t v = 0; v < model.uv.size(); ++v)
+      if (CGAL::squared_distance(packing.placements[0](charts[0].uv[v]),
+                                 packing.placements[i](charts[i].uv[v])) > 1e-6)
+        return false;
+    return true;
+  };
+  const Packing apart = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_FALSE(same_place(apart, 1));
+  page.stacking = Chart_stacking::copies;
+  const Packing copies = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_TRUE(same_place(copies, 1));
+  EXPECT_FALSE(same_place(copies, 2));
+  page.stacking = Chart_stacking::copies_and_mirrored;
+  const Packing all = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_TRUE(same_place(all, 1));
+  EXPECT_TRUE(same_place(all, 2));
+  EXPECT_FALSE(same_place(all, 3));
+  EXPECT_GT(all.density, copies.density);
+  expect_clear({charts[0], charts[3]}, {{all.placements[0], all.placements[3]}, 1, all.density, 2}, page, 2);
+}
+
+TEST(pack_charts, repacks_coordinates_of_corners)
+{
+  // Six quads that all lie on top of each other, as a careless tool leaves them.
+  const Surface surface = surface_of(cube());
+  std::vector<Point_2> uv;
+  for (int f = 0; f < 6; ++f)
+    uv.insert(uv.end(), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  uv[0] = uv[1] = uv[2] = uv[3] = Point_2(std::nan(""), 0);
+  const Page_options page = page_of(128);
+  const Repacked_charts repacked = pack_charts(surface, uv, page);
+  ASSERT_EQ(repacked.charts.size(), 5u);
+  EXPECT_TRUE(std::isnan(repacked.uv[0].x()));
+  expect_clear(repacked.charts, repacked.packing, page, 2);
+  for (std::size_t c = 4; c < 24; c += 4) {
+    const double side = std::sqrt(CGAL::squared_distance(repacked.uv[c], repacked.uv[c + 1]));
+    EXPECT_NEAR(side * 128, repacked.packing.density, 1e-9 * repacked.packing.density);
+    EXPECT_NEAR(CGAL::area(repacked.uv[c], repacked.uv[c + 1], repacked.uv[c + 2]), side * side / 2, 1e-9);
+  }
+}
+
+} // namespace
+} // namespace Atlas
