@@ -363,6 +363,30 @@ TEST(Multifrontal_cholesky, solves_hermitian_and_block_systems)
     EXPECT_LT(std::abs(x[v] - Complex(solution[2 * v], solution[2 * v + 1])), 1e-12);
 }
 
+template <typename Scalar>
+void check_dense_update()
+{
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  std::vector<double> packed;
+  for (const auto& [rows, columns, depth] :
+       {std::array{1, 1, 1}, {23, 7, 5}, {24, 24, 1}, {37, 13, 200}, {50, 50, 170}, {61, 3, 48}}) {
+    const Matrix a = Matrix::Random(rows + 3, depth), before = Matrix::Random(rows + 2, columns);
+    Matrix c = before;
+    internal::subtract_outer(c.data(), rows + 2, a.data(), rows + 3, rows, columns, depth, packed);
+    const Matrix expected = before.topRows(rows) - a.topRows(rows) * a.topRows(columns).adjoint();
+    for (int j = 0; j < columns; ++j)
+      for (int i = j; i < rows; ++i)
+        EXPECT_LT(std::abs(c(i, j) - expected(i, j)), 1e-12);
+    EXPECT_EQ(c.bottomRows(2), before.bottomRows(2)); // nothing is written beyond the matrix
+  }
+}
+
+TEST(Dense_update, subtracts_the_outer_product)
+{
+  check_dense_update<double>();
+  check_dense_update<Complex>();
+}
+
 TEST(LSCM, degenerate_triangles_do_not_spoil_their_neighbours)
 {
   // A planar grid with a needle (two vertices in one place), a cap (a vertex on an edge) and a triangle

@@ -3,6 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_MULTIFRONTAL_CHOLESKY_H
 
 #include <Atlas/parameterization/internal/chart_geometry.h>
+#include <Atlas/parameterization/internal/dense_update.h>
 #include <Atlas/parameterization/internal/supernodal_symbolic.h>
 
 #include <Eigen/Cholesky>
@@ -114,6 +115,8 @@ private:
 
   using Supernode = Supernodal_symbolic::Supernode;
 
+  static constexpr std::size_t block = 48; ///< columns that are factorized at once
+
   /// Column-major front: the panel of the node's own columns over all its rows, and the square update below.
   template <typename Scalar>
   struct Front
@@ -202,23 +205,31 @@ private:
     }
   }
 
+  /// Block by block of columns: factor the diagonal block, solve for what is below it, subtract their outer
+  /// product from the columns that follow; in the end from the update.
   template <typename Scalar>
-  static bool eliminate(const Front<Scalar>& front)
+  bool eliminate(const Front<Scalar>& front)
   {
-    const auto width = static_cast<Eigen::Index>(front.width),
-               height = static_cast<Eigen::Index>(front.height);
-    Eigen::Map<Matrix<Scalar>> panel(front.panel, width + height, width);
-    auto top = panel.topRows(width);
-    Eigen::Ref<Matrix<Scalar>> top_ref(top);
-    const Eigen::LLT<Eigen::Ref<Matrix<Scalar>>> llt(top_ref);
-    if (llt.info() != Eigen::Success)
-      return false;
-    if (height == 0)
-      return true;
-    auto bottom = panel.bottomRows(height);
-    top.adjoint().template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(bottom);
-    Eigen::Map<Matrix<Scalar>> update(front.update, height, height);
-    update.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
+    const std::size_t total = front.width + front.height;
+    Eigen::Map<Matrix<Scalar>> panel(front.panel, static_cast<Eigen::Index>(total),
+                                     static_cast<Eigen::Index>(front.width));
+    for (std::size_t begin = 0; begin < front.width; begin += block) {
+      const std::size_t width = std::min(block, front.width - begin), end = begin + width;
+      const auto b = static_cast<Eigen::Index>(begin), w = static_cast<Eigen::Index>(width);
+      Eigen::Ref<Matrix<Scalar>> top(panel.block(b, b, w, w));
+      const Eigen::LLT<Eigen::Ref<Matrix<Scalar>>> llt(top);
+      if (llt.info() != Eigen::Success)
+        return false;
+      if (end == total)
+        break;
+      auto bottom = panel.block(b + w, b, static_cast<Eigen::Index>(total - end), w);
+      top.adjoint().template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(bottom);
+      subtract_outer(front.panel + end * total + end, total, front.panel + begin * total + end, total,
+                     total - end, front.width - end, width, packed_);
+    }
+    if (front.height > 0)
+      subtract_outer(front.update, front.height, front.panel + front.width, total, front.height, front.height,
+                     front.width, packed_);
     return true;
   }
 
@@ -278,6 +289,7 @@ private:
   std::vector<Panel> panels_, updates_;
   std::vector<Index> local_;
   std::vector<std::size_t> rows_;
+  std::vector<double> packed_;
 };
 
 } // namespace Atlas::internal
