@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Prints the table of the manual: efficiency and time of each packer on the charts of meshes.
+//
+// Usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] FILE.obj...
+// A file with texture coordinates is packed anew as it is; the charts of any other are made by the default
+// segmentation and flattening.
+#include <Atlas/IO/read_obj.h>
+#include <Atlas/build_surface.h>
+#include <Atlas/default_policies.h>
+#include <Atlas/extract_charts.h>
+#include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/Rectangle_packer.h>
+#include <Atlas/packing/pack_charts.h>
+#include <Atlas/packing/packing_clearance.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Atlas;
+
+double area_in_plane(const Chart& chart)
+{
+  double sum = 0;
+  for (const auto& [a, b, c] : chart.triangles)
+    sum += std::abs(CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]));
+  return sum;
+}
+
+/// Charts of a mesh without coordinates, each with its area in space.
+std::vector<Chart> flattened_charts(const Surface& surface, const Execution& execution)
+{
+  Segmentation segmentation = Default_segmentation().segment(surface, execution);
+  cut_to_discs(surface, segmentation, execution);
+  std::vector<Chart> charts;
+  for (Chart& chart : extract_charts(surface, segmentation)) {
+    const Chart_status status = Default_parameterizer().parameterize(chart, execution);
+    const double plane = status == Chart_status::valid ? area_in_plane(chart) : 0;
+    if (!(plane > 0))
+      continue;
+    double space = 0;
+    for (const auto& [a, b, c] : chart.triangles)
+      space += std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c]));
+    const double scale = std::sqrt(space / plane);
+    for (Point_2& p : chart.uv)
+      p = Point_2(scale * p.x(), scale * p.y());
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+/// Hands over what it is given: to get at the charts of `pack_charts()`.
+struct No_packer
+{
+  Packing pack(std::span<const Chart> charts, const Page_options&, const Execution&) const
+  {
+    return {std::vector<Placement>(charts.size()), 1, 1, 0};
+  }
+};
+
+std::vector<Chart> charts_of_file(const std::string& file, const Execution& execution)
+{
+  const Polygon_soup soup = read_obj(file);
+  const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
+  if (soup.uv.empty())
+    return flattened_charts(surface, execution);
+  return pack_charts(surface, soup.uv, {}, No_packer(), execution).charts;
+}
+
+/// Packs and prints two columns: efficiency, seconds; a mark where the gutter is not kept.
+template <typename Packer>
+double run(const Packer& packer, const std::vector<Chart>& charts, const Page_options& page,
+           const Execution& execution)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Packing packing = packer.pack(charts, page, execution);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  double area = 0;
+  for (const Chart& chart : charts)
+    area += area_in_plane(chart);
+  const double efficiency = area * packing.density * packing.density / (double(page.width) * page.height);
+  const Packing_clearance clearance = packing_clearance(charts, packing, page, page.gutter);
+  const bool is_kept = clearance.charts >= page.gutter && clearance.border >= page.gutter / 2;
+  std::printf(" | %.3f %6.2f s%s", efficiency, seconds.count(), is_kept ? " " : "!");
+  std::fflush(stdout);
+  return efficiency;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  Page_options page;
+  std::vector<std::string> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--size" && i + 1 < argc)
+      page.width = page.height = static_cast<Index>(std::strtoul(argv[++i], nullptr, 10));
+    else if (argument == "--gutter" && i + 1 < argc)
+      page.gutter = std::strtod(argv[++i], nullptr);
+    else
+      files.push_back(argument);
+  }
+  if (files.empty()) {
+    std::fprintf(stderr, "usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] FILE...\n");
+    return 2;
+  }
+  const Execution execution(0);
+  std::printf("%-24s charts | rectangles      | horizon         | fast            | normal          | best\n",
+              "input");
+  double sums[5] = {};
+  for (const std::string& file : files) {
+    const std::vector<Chart> charts = charts_of_file(file, execution);
+    std::printf("%-24s %6zu", std::filesystem::path(file).stem().string().c_str(), charts.size());
+    sums[0] += run(Rectangle_packer(), charts, page, execution);
+    sums[1] += run(Horizon_packer(), charts, page, execution);
+    sums[2] += run(Raster_packer(Packing_effort::fast), charts, page, execution);
+    sums[3] += run(Raster_packer(Packing_effort::normal), charts, page, execution);
+    sums[4] += run(Raster_packer(Packing_effort::best), charts, page, execution);
+    std::printf("\n");
+  }
+  std::printf("%-31s", "mean");
+  for (const double sum : sums)
+    std::printf(" | %.3f          ", sum / static_cast<double>(files.size()));
+  std::printf("\n");
+  return 0;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "packing_benchmark: %s\n", e.what());
+  return 2;
+}
