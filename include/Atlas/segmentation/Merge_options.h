@@ -14,16 +14,16 @@ struct Merge_options
   /// What is bounded.
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   /// The bound of each chart that comes from merging, as flattened on the coarse surface.
-  double max_distortion = 1.03;
+  double max_distortion = 1.04;
   /// Charts get no larger than this share of the surface's area, or pages would not pack ...
   double max_area_share = 0.25;
   /// ... unless they fill this share of their convex hull.
   double solidity_of_large_charts = 0.85;
   /// Charts that come from merging fill at least this share of their convex hull.
-  double min_solidity = 0.5;
+  double min_solidity = 0.55;
   /// No two edges of the border of such a chart come closer in the plane than this share of their length: a
   /// chart that keeps off itself in outline will do so in detail.
-  double min_gap = 0.1;
+  double min_gap = 0.07;
   /// Charts do not merge if their common border differs more between their layouts: root mean square
   /// distance after rigid alignment over the square root of the area.
   double max_misfit = 0.12;
@@ -35,6 +35,9 @@ struct Merge_options
   /// Pairs of charts that are tried at a time, and maybe in parallel. Part of the result: not a number of
   /// threads.
   std::size_t batch = 8;
+  /// `Merged_segmentation`: whether borders are smoothed before charts merge, and where the bound allows it,
+  /// afterwards.
+  bool are_borders_smoothed = true;
 };
 
 } // namespace Atlas

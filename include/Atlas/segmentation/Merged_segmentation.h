@@ -5,9 +5,12 @@
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
 #include <Atlas/concepts.h>
+#include <Atlas/measure/area.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/trial_of_chart.h>
 #include <Atlas/segmentation/merge_charts.h>
+#include <Atlas/segmentation/smooth_borders.h>
 
 #include <utility>
 
@@ -39,12 +42,31 @@ public:
     Segmentation segmentation = base_.segment(surface, execution);
     if (!execution.is_cancelled())
       cut_to_discs(surface, segmentation, execution);
+    // Straight arcs between the many charts: what remains of them are short seams, slits included.
+    Smoothing_options smoothing;
+    smoothing.rounds = 1;
+    if (options_.are_borders_smoothed && !execution.is_cancelled())
+      smooth_borders(surface, segmentation, smoothing, execution);
     if (!execution.is_cancelled())
       merge_charts(surface, segmentation, options_, parameterizer_, optimizer_, execution);
+    const double area = area_3d(surface);
+    if (options_.are_borders_smoothed)
+      for (smoothing.rings = 4; smoothing.rings > 1 && !execution.is_cancelled(); smoothing.rings /= 2)
+        smooth_borders(surface, segmentation, smoothing, execution,
+                       [&](const Chart& a, const Chart& b) { return is_kept(a, area) && is_kept(b, area); });
     return segmentation;
   }
 
 private:
+  bool is_kept(const Chart& chart, double whole_area) const
+  {
+    const Execution alone; // charts are tried side by side, each on one thread
+    return internal::passes_trial(chart, whole_area, options_, [&](Chart& c) {
+      const Chart_status status = parameterizer_.parameterize(c, alone);
+      return status == Chart_status::valid ? optimizer_.optimize(c, alone) : status;
+    });
+  }
+
   Base base_;
   Parameterizer parameterizer_;
   Optimizer optimizer_;

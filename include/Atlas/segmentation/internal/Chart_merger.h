@@ -4,12 +4,11 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/Execution.h>
-#include <Atlas/measure/area.h>
-#include <Atlas/measure/distortion.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/internal/Coarse_surface.h>
 #include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/layout_shape.h>
+#include <Atlas/segmentation/internal/trial_of_chart.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +65,7 @@ private:
     std::vector<Index> triangles;
     Chart layout; ///< flat; empty if that failed
     double area = 0, perimeter = 0;
+    double solidity = 0;   ///< of the layout
     Index side = no_index; ///< one of its border
     Index version = 0;
   };
@@ -191,6 +191,7 @@ private:
   {
     for (Index i = 0; i < part.triangles.size(); ++i)
       place_[part.triangles[i]] = i;
+    part.solidity = internal::solidity(layout);
     part.layout = std::move(layout);
   }
 
@@ -238,9 +239,13 @@ private:
   bool is_promising(const Candidate& c) const
   {
     const Part &a = parts_[c.part], &b = parts_[c.other];
-    if (c.part != c.other && a.triangles.size() + b.triangles.size() > options_.max_trial_triangles)
+    if (a.triangles.size() + b.triangles.size() > options_.max_trial_triangles)
       return false;
-    return c.part == c.other || fits(c);
+    // Gluing hardly fills more of the hull than both fill of theirs.
+    const double area = a.area + b.area, filled = (a.solidity * a.area + b.solidity * b.area) / area;
+    return !(area > options_.max_area_share * whole_area_ &&
+             filled < 0.85 * options_.solidity_of_large_charts) &&
+           fits(c);
   }
 
   void attempt(Candidate& c)
@@ -255,28 +260,21 @@ private:
   bool is_acceptable(const Candidate& c) const
   {
     const Chart& chart = c.layout;
-    const Atlas::Distortion distortion = measure_distortion(chart);
-    if (!(value(distortion, options_.measure) <= options_.max_distortion))
+    if (!is_within_bound(chart, options_))
       return false;
     std::vector<Border_edge> border;
-    std::vector<Point_2> points;
     for (Index i = 0; i < chart.triangles.size(); ++i) {
-      const auto& [u, v, w] = chart.triangles[i];
-      if (CGAL::orientation(chart.uv[u], chart.uv[v], chart.uv[w]) != CGAL::LEFT_TURN &&
-          CGAL::squared_area(chart.points[u], chart.points[v], chart.points[w]) > 0)
-        return false;
       for (Index k = 0; k < 3; ++k)
         if (is_open(3 * chart.source[i] + k)) {
           const Index a = chart.triangles[i][k], b = chart.triangles[i][(k + 1) % 3];
           border.push_back({chart.uv[a], chart.uv[b], a, b});
-          points.push_back(chart.uv[a]);
         }
     }
-    const double solidity = area_uv(chart) / hull_area(std::move(points));
+    const double filled = solidity(chart);
     const double share = (parts_[c.part].area + (c.part != c.other ? parts_[c.other].area : 0)) / whole_area_;
-    if (c.part != c.other && share > options_.max_area_share && solidity < options_.solidity_of_large_charts)
+    if (c.part != c.other && share > options_.max_area_share && filled < options_.solidity_of_large_charts)
       return false;
-    return (c.part == c.other || solidity >= options_.min_solidity) &&
+    return (c.part == c.other || filled >= options_.min_solidity) &&
            is_clear(std::move(border), options_.min_gap);
   }
 
