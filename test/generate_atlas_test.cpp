@@ -146,6 +146,8 @@ TYPED_TEST(GenerateAtlas, DevelopableSheetIsMappedWithoutDistortion)
   const TypeParam mesh = mesh_of<TypeParam>(
       grid(20, 10, [](double x, double y) { return Point_3(std::cos(2 * x), std::sin(2 * x), y); }));
   const Result<TypeParam> r = atlas_of(mesh);
+  EXPECT_EQ(r.report.charts.size(), 1u);
+  EXPECT_EQ(r.report.seam_length, 0);
   EXPECT_NEAR(r.report.distortion.symmetric_dirichlet_mean, 1, 1e-5);
   EXPECT_NEAR(r.report.distortion.l2_stretch, 1, 1e-5);
   EXPECT_NEAR(r.report.area, 2 * 40 * std::sin(0.05) / 2, 1e-9);

@@ -39,6 +39,9 @@ class Atlas_pipeline
 public:
   /// Splits that only serve the bound on distortion stop after so many rounds; what is left keeps its status.
   static constexpr int maximal_bound_rounds = 12;
+  /// From this round on refused charts are halved, whatever the validator proposes: then there are at most
+  /// log2(faces) rounds more.
+  static constexpr int first_halving_round = 8;
   /// Rounds of packing, rounding and verification before the faults that remain are reported.
   static constexpr int maximal_page_rounds = 6;
   /// Cells across a chart to which its coordinates are snapped.
@@ -168,7 +171,7 @@ private:
         if (is_final(results[i], round)) {
           done += results[i].chart.number_of_triangles();
           accepted_[open[i]] = std::move(results[i]);
-        } else if (!this->split(open[i], results[i], split)) {
+        } else if (!this->split(open[i], results[i], round >= first_halving_round, split)) {
           accepted_[open[i]] = std::move(results[i]);
         }
       }
@@ -222,12 +225,14 @@ private:
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
   /// the chart is a single face, which cannot be split.
-  bool split(Index number, const Flattened& refused, std::vector<Index>& changed)
+  bool split(Index number, const Flattened& refused, bool is_halved, std::vector<Index>& changed)
   {
     const std::vector<Index>& source = refused.chart.source;
     if (surface_.face[source.front()] == surface_.face[source.back()])
       return false;
-    std::vector<Index> parts = whole_face_parts(source, validator_.split(refused.chart, refused.verdict));
+    std::vector<Index> parts;
+    if (!is_halved)
+      parts = whole_face_parts(source, validator_.split(refused.chart, refused.verdict));
     if (std::all_of(parts.begin(), parts.end(), [&](Index part) { return part == parts.front(); }))
       parts = halves(source);
     std::vector<Index> names; // of the parts, in the order of their first triangle
@@ -376,7 +381,7 @@ private:
         f.verdict.status =
             rounding_faults_[number].empty() ? Chart_status::overlapping : Chart_status::flipped;
         f.verdict.culprits = rounding_faults_[number];
-        (void)split(number, f, changed);
+        (void)split(number, f, false, changed);
       }
       if (!changed.empty())
         flatten(reopen(changed));
