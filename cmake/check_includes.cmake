@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Checks the include lines of the headers below INCLUDE_DIR: core headers (all but OPTIONAL) include Atlas, CGAL,
-# Boost, Eigen, TBB and the C++ standard library, nothing else; rooms do not include each other.
+# Boost, Eigen, TBB, the C++ standard library and the compiler's own intrinsics, nothing else; rooms do not include each other.
 cmake_minimum_required(VERSION 3.22)
 set(rooms segmentation parameterization validation packing)
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE_DIR} ${INCLUDE_DIR}/Atlas/*.h)
@@ -13,7 +13,7 @@ foreach(header IN LISTS headers)
   file(STRINGS ${INCLUDE_DIR}/${header} lines REGEX "^#[ \t]*include")
   string(REGEX REPLACE "^Atlas/([^/]*)/.*" "\\1" room ${header})
   foreach(line IN LISTS lines)
-    if(NOT header IN_LIST OPTIONAL AND NOT line MATCHES "<((Atlas|CGAL|boost|Eigen|tbb)/.*|[a-z_]+)>")
+    if(NOT header IN_LIST OPTIONAL AND NOT line MATCHES "<((Atlas|CGAL|boost|Eigen|tbb)/.*|[a-z_]+|immintrin.h)>")
       list(APPEND faults "${header}: ${line}")
     endif()
     if(room IN_LIST rooms AND line MATCHES "<Atlas/([a-z]+)/")
