@@ -17,6 +17,9 @@ enum class Packing_effort {
   best    ///< about 10 s
 };
 
+/// With more charts than this `Packing_effort::fast` keeps the horizon layout.
+inline constexpr std::size_t max_charts_of_fast_search = 5000;
+
 /// \brief The default packer: built on a raster with many rotations, then refined continuously.
 ///
 /// 1. Charts are placed one by one on a bitmap where they touch most of what is there, in any of several
@@ -53,6 +56,7 @@ private:
     switch (effort_) {
     case Packing_effort::fast:
       result.rounds = 0;
+      result.max_charts = max_charts_of_fast_search;
       break;
     case Packing_effort::normal:
       result.rounds = 4;

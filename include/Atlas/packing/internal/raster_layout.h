@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace Atlas::internal {
 /// How long to search.
 struct Search_budget
 {
+  /// With more charts than this the horizon layout stays: a search takes tens of seconds then.
+  std::size_t max_charts = std::numeric_limits<std::size_t>::max();
   unsigned searches = 4;            ///< side by side
   std::uint64_t round = 30'000'000; ///< operations of each search between two looks at the others
   unsigned rounds = 0;
@@ -99,7 +102,8 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Page_
 {
   std::optional<Layout> result =
       horizon_layout(outlines, page, Horizon_source::outline, most_scale, execution);
-  if (!result || !(outlines.area > 0) || result->scale >= most_scale || execution.is_cancelled())
+  if (!result || !(outlines.area > 0) || result->scale >= most_scale || outlines.size() > budget.max_charts ||
+      execution.is_cancelled())
     return result;
   const Packing_problem problem = packing_problem(outlines, page, *result, execution);
   if (execution.is_cancelled())
