@@ -4,6 +4,7 @@
 
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
+#include <Atlas/internal/Union_find.h>
 
 #include <algorithm>
 #include <bit>
@@ -17,33 +18,6 @@
 #include <vector>
 
 namespace Atlas::internal {
-
-/// Disjoint sets with path halving; the smallest member names the set.
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-
-  Index find(Index i)
-  {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// Whether the two were in different sets before.
-  bool join(Index i, Index j)
-  {
-    i = find(i);
-    j = find(j);
-    if (i == j)
-      return false;
-    parent_[std::max(i, j)] = std::min(i, j);
-    return true;
-  }
-
-private:
-  std::vector<Index> parent_;
-};
 
 /// The charts that coordinates at corners make of a surface: triangles that share an edge in space and have
 /// equal coordinates at both of its ends are glued.
@@ -124,9 +98,9 @@ private:
         uv_[next_halfedge(h)] == uv_[o]) {
       glued_[h] = o;
       glued_[o] = h;
-      triangles_.join(h / 3, o / 3);
-      corners_.join(h, next_halfedge(o));
-      corners_.join(next_halfedge(h), o);
+      triangles_.unite(h / 3, o / 3);
+      corners_.unite(h, next_halfedge(o));
+      corners_.unite(next_halfedge(h), o);
     } else if (is_used(h / 3) || is_used(o / 3)) {
       seam_length_ += length(h);
     }
@@ -207,9 +181,9 @@ private:
   void glue_image(std::span<const Edge> edges)
   {
     for (std::size_t j = 1; j < edges.size(); ++j) {
-      triangles_.join(edges[0].halfedge / 3, edges[j].halfedge / 3);
-      corners_.join(edges[0].from, edges[j].from);
-      corners_.join(edges[0].to, edges[j].to);
+      triangles_.unite(edges[0].halfedge / 3, edges[j].halfedge / 3);
+      corners_.unite(edges[0].from, edges[j].from);
+      corners_.unite(edges[0].to, edges[j].to);
     }
     if (edges.size() == 2) {
       glued_[edges[0].halfedge] = edges[1].halfedge;
@@ -248,7 +222,7 @@ private:
   /// Vertices - edges + triangles, and the number of connected components of the border, per chart.
   void find_topology()
   {
-    Disjoint_sets border(uv_.size());
+    Union_find border(uv_.size());
     std::vector<std::uint8_t> is_on_border(uv_.size(), false);
     for (Index h = 0; h < uv_.size(); ++h) {
       const Index c = chart_[h / 3];
@@ -265,7 +239,7 @@ private:
         counts.border_components += !is_on_border[v];
         is_on_border[v] = true;
       }
-      counts.border_components -= border.join(ends[0], ends[1]);
+      counts.border_components -= border.unite(ends[0], ends[1]);
     }
     for (const Index h : crowd_followers_)
       if (chart_[h / 3] != no_index)
@@ -278,7 +252,7 @@ private:
   std::vector<Index> glued_;
   std::vector<std::uint8_t> is_crowded_;
   std::vector<Index> crowd_followers_;
-  Disjoint_sets triangles_, corners_;
+  Union_find triangles_, corners_;
   std::vector<Index> chart_;
   std::vector<Chart_counts> counts_;
   double seam_length_ = 0;

@@ -3,10 +3,10 @@
 #define ATLAS_SEGMENTATION_EXPAND_CHARTS_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/Union_find.h>
 #include <Atlas/segmentation/distance_to_features.h>
 #include <Atlas/segmentation/internal/Chart_boundaries.h>
 #include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
 #include <algorithm>

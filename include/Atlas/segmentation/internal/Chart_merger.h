@@ -4,9 +4,9 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/Execution.h>
+#include <Atlas/internal/Union_find.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/internal/Coarse_surface.h>
-#include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/layout_shape.h>
 #include <Atlas/segmentation/internal/trial_of_chart.h>
 

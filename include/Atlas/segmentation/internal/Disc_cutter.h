@@ -3,8 +3,8 @@
 #define ATLAS_SEGMENTATION_INTERNAL_DISC_CUTTER_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/Union_find.h>
 #include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/triangle_geometry.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
 #include <Atlas/extract_charts.h>
+#include <Atlas/internal/Union_find.h>
 #include <Atlas/segmentation/internal/Front.h>
 #include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/Union_find.h>
 #include <Atlas/segmentation/internal/triangle_geometry.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
