@@ -57,7 +57,9 @@ struct Surface
   std::size_t number_of_corners = 0; ///< of the input
 
   std::vector<Edge_constraint> constraint; ///< per halfedge, the same on both sides; empty: none
-  std::vector<Index> patch; ///< per triangle: patches that no chart may cross; empty: one patch
+  std::vector<double> seam_cost; ///< per halfedge, the same on both sides: what a seam costs here per length,
+                                 ///< positive, 1 is usual; empty: 1 everywhere
+  std::vector<Index> patch;      ///< per triangle: patches that no chart may cross; empty: one patch
 
   struct Rejected_face
   {
