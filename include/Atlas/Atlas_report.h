@@ -3,8 +3,10 @@
 #define ATLAS_ATLAS_REPORT_H
 
 #include <Atlas/Chart.h>
+#include <Atlas/Flattening_record.h>
 #include <Atlas/Stage.h>
 #include <Atlas/Surface.h>
+#include <Atlas/measure/Distortion_measure.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/validation/Atlas_certificate.h>
 
@@ -44,8 +46,11 @@ struct Chart_report
   Chart_status status =
       Chart_status::valid; ///< `valid`, or `area_ratio_exceeded` where the bound was given up
   std::size_t triangles = 0;
-  double area = 0;       ///< in space, squared units of the model
-  Distortion distortion; ///< up to the chart's own scale
+  double area = 0;             ///< in space, squared units of the model
+  Distortion distortion;       ///< up to the chart's own scale
+  bool is_within_bound = true; ///< whether the distortion is at most `Atlas_report::bound`
+  Flattening_record
+      flattening; ///< what was done to flatten it; as by default for parameterizers that do not tell
 };
 
 /// \brief What happened: the answer of `generate_atlas()`.
@@ -65,6 +70,9 @@ struct [[nodiscard]] Atlas_report
   std::vector<Index> face_page;  ///< per face of the input: its page
   std::vector<Chart_report> charts;
   std::size_t split_charts = 0; ///< how many charts were refused and split on the way
+
+  Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
+  std::size_t charts_beyond_bound = 0;
 
   double area = 0;               ///< of the surface, squared units of the model
   double seam_length = 0;        ///< units of the model, each seam once

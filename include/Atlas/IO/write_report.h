@@ -57,6 +57,17 @@ inline Json to_json(const Atlas_certificate& c)
           {"are_culprits_complete", c.are_culprits_complete}};
 }
 
+/// What was done to a chart.
+inline Json to_json(const Flattening_record& record)
+{
+  return {{"start", message(record.start)},
+          {"flips_of_first_choice", record.flips},
+          {"first_choice_overlapped", record.was_overlapping},
+          {"is_optimized", record.is_optimized},
+          {"optimizer_iterations", record.distortion.iterations},
+          {"border_was_guarded", record.distortion.was_border_guarded}};
+}
+
 /// \brief The report as JSON. Faces and charts count from 0, in the order of the input; numbers that are not
 /// finite are null.
 inline Json to_json(const Atlas_report& report)
@@ -68,10 +79,13 @@ inline Json to_json(const Atlas_report& report)
     charts.push_back({{"triangles", chart.triangles},
                       {"area", chart.area},
                       {"status", message(chart.status)},
+                      {"is_within_bound", chart.is_within_bound},
+                      {"symmetric_dirichlet_mean", chart.distortion.symmetric_dirichlet_mean},
                       {"l2_stretch", chart.distortion.l2_stretch},
                       {"quasi_conformal_mean", chart.distortion.quasi_conformal_mean},
                       {"area_min", chart.distortion.area_min},
-                      {"area_max", chart.distortion.area_max}});
+                      {"area_max", chart.distortion.area_max},
+                      {"flattening", to_json(chart.flattening)}});
   for (const Stage stage : all_stages)
     seconds[name(stage)] = report.seconds[static_cast<std::size_t>(stage)];
   seconds["total"] = report.total_seconds();
@@ -86,6 +100,8 @@ inline Json to_json(const Atlas_report& report)
           {"gutter_texels", report.gutter},
           {"number_of_charts", report.charts.size()},
           {"split_charts", report.split_charts},
+          {"bound", {{"measure", name(report.bound.measure)}, {"max", report.bound.max}}},
+          {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},
           {"seam_length", report.seam_length},
           {"packing_efficiency", report.packing_efficiency},

@@ -88,6 +88,7 @@ private:
   {
     Chart chart;
     Chart_verdict verdict;
+    Flattening_record record;
   };
 
   /// Moves the model to the origin and scales it by a power of two to about unit size, so that no product of
@@ -124,6 +125,8 @@ private:
     report_.page_height = page_.height;
     report_.gutter = page_.gutter;
     report_.area = area_3d(surface_);
+    if constexpr (requires { Distortion_bound(segmentation_policy_.bound()); })
+      report_.bound = segmentation_policy_.bound();
   }
 
   template <typename Work>
@@ -196,7 +199,7 @@ private:
     execution_.for_each(open.size(), [&](std::size_t i) {
       Chart& chart = results[i].chart;
       chart = extract_chart(surface_, segmentation_, lists[i], local);
-      results[i].verdict.status = parameterizer_.parameterize(chart, execution_);
+      results[i].verdict.status = parameterize(chart, results[i].record);
       if (results[i].verdict.status == Chart_status::valid)
         results[i].verdict.status = optimizer_.optimize(chart, execution_);
       if (results[i].verdict.status == Chart_status::valid) {
@@ -205,6 +208,15 @@ private:
       }
     });
     return results;
+  }
+
+  /// Parameterizers may tell what they did.
+  Chart_status parameterize(Chart& chart, Flattening_record& record) const
+  {
+    if constexpr (requires { parameterizer_.parameterize(chart, execution_, record); })
+      return parameterizer_.parameterize(chart, execution_, record);
+    else
+      return parameterizer_.parameterize(chart, execution_);
   }
 
   /// Scales the chart to its area in space; but to no less than about a texel, so that tiny and needle-thin
@@ -400,9 +412,18 @@ private:
       for (Point_2& p : charts_[i].uv)
         p = Point_2(p.x() * page_.width, p.y() * page_.height);
       measured[i] = triangle_distortions(charts_[i]);
-      report_.charts[i] = {accepted_[i].verdict.status, charts_[i].number_of_triangles(),
-                           area_3d(charts_[i]) * unit_ * unit_, summarize_distortion(measured[i])};
+      Chart_report& chart = report_.charts[i];
+      chart.status = accepted_[i].verdict.status;
+      chart.triangles = charts_[i].number_of_triangles();
+      chart.area = area_3d(charts_[i]) * unit_ * unit_;
+      chart.distortion = summarize_distortion(measured[i]);
+      chart.is_within_bound =
+          !(value(chart.distortion, report_.bound.measure) > report_.bound.max) || chart.area == 0;
+      chart.flattening = accepted_[i].record;
     });
+    report_.charts_beyond_bound = static_cast<std::size_t>(
+        std::count_if(report_.charts.begin(), report_.charts.end(),
+                      [](const Chart_report& chart) { return !chart.is_within_bound; }));
     std::vector<Triangle_distortion> all;
     for (const auto& part : measured)
       all.insert(all.end(), part.begin(), part.end());

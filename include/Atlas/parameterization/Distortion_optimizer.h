@@ -4,6 +4,7 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/Execution.h>
+#include <Atlas/Flattening_record.h>
 #include <Atlas/parameterization/internal/distortion_minimizer.h>
 #include <Atlas/parameterization/internal/normalize_area.h>
 
@@ -24,15 +25,6 @@ struct Distortion_options
   double tolerance = default_tolerance;
   /// The optimisation ends when the mean energy over that of an isometry is at most this; 0 stands for never.
   double target = 0;
-};
-
-/// \brief What the optimisation did to a chart.
-struct Distortion_record
-{
-  double before = 0; ///< mean energy over that of an isometry; infinite for a chart that had flips
-  double after = 0;
-  std::size_t iterations = 0;
-  bool was_border_guarded = false; ///< whether the border had to be kept from touching itself
 };
 
 /// \brief Lowers the mean over a chart without flips of an energy of the singular values: the common part of

@@ -35,6 +35,8 @@ public:
 
   const Base& base() const { return base_; }
   const Merge_options& options() const { return options_; }
+  /// Of the charts that come from merging. Splits that a flattening needs later only lower the distortion.
+  Distortion_bound bound() const { return {options_.measure, options_.max_distortion}; }
 
   /// Once cancelled, returns the charts of that moment.
   Segmentation segment(const Surface& surface, const Execution& execution) const

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SEGMENTATION_DISTORTION_BOUND_H
-#define ATLAS_SEGMENTATION_DISTORTION_BOUND_H
+#ifndef ATLAS_MEASURE_DISTORTION_MEASURE_H
+#define ATLAS_MEASURE_DISTORTION_MEASURE_H
 
 #include <Atlas/measure/distortion.h>
 
@@ -16,6 +16,33 @@ enum class Distortion_measure {
   area_ratio,           ///< largest over smallest density of area, of all triangles
   area_ratio_quantiles, ///< the same between the quantiles of 99 % and 1 % of the area
   quasi_conformal       ///< mean s1 / s2: angles only
+};
+
+/// The standard name of the figure, as in reports.
+inline const char* name(Distortion_measure measure)
+{
+  switch (measure) {
+  case Distortion_measure::symmetric_dirichlet:
+    return "symmetric_dirichlet_mean";
+  case Distortion_measure::l2_stretch:
+    return "l2_stretch";
+  case Distortion_measure::linf_stretch:
+    return "linf_stretch";
+  case Distortion_measure::area_ratio:
+    return "area_ratio";
+  case Distortion_measure::area_ratio_quantiles:
+    return "area_ratio_quantiles";
+  case Distortion_measure::quasi_conformal:
+    return "quasi_conformal_mean";
+  }
+  return "unknown";
+}
+
+/// A bound on the distortion of every chart: what is bounded, and by how much.
+struct Distortion_bound
+{
+  Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
+  double max = std::numeric_limits<double>::infinity();
 };
 
 /// The named figure; infinite where nothing could be measured.
