@@ -6,6 +6,7 @@ atlas_test(draw_atlas_test Atlas_IO)
 atlas_test(write_gltf_test Atlas_IO)
 atlas_test(write_html_report_test Atlas_IO)
 atlas_test(bake_texture_test Atlas_IO)
+atlas_test(pages_test Atlas_IO)
 if(TARGET texture_atlas)
   add_test(NAME texture_atlas_calling_contract
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.sh $<TARGET_FILE:texture_atlas>)

@@ -4,6 +4,7 @@
 
 #include <Atlas/Kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -26,12 +27,15 @@ struct Polygon_soup
 
   std::vector<std::array<float, 4>> colors; ///< per vertex: red, green, blue, alpha in [0, 1]; or empty
   std::vector<Point_2> uv; ///< per corner: existing coordinates, origin bottom left, NaN where none; or empty
+  std::vector<Index> face_page;     ///< per face: the page that its coordinates are on; empty: all on page 0
+  std::vector<Point_2> old_uv;      ///< per corner: coordinates that `uv` has replaced, as `uv`; or empty
   std::vector<Vector_3> normals;    ///< the normals that `corner_normal` refers to
   std::vector<Index> corner_normal; ///< per corner: its normal or `no_index`; or empty
 
   std::vector<std::string> material_names;
   std::vector<Index> face_material;            ///< per face: its material or `no_index`; or empty
   std::vector<std::string> material_libraries; ///< MTL files that an OBJ file names
+  std::vector<std::string> page_textures;      ///< per page: the picture that a PLY file names for it
   std::vector<std::string> group_names;
   std::vector<Index> face_group; ///< per face: its group or object, or `no_index`; or empty
 
@@ -40,6 +44,12 @@ struct Polygon_soup
   std::span<const Index> face(std::size_t f) const
   {
     return std::span<const Index>(vertices).subspan(first[f], first[f + 1] - first[f]);
+  }
+  Index page(std::size_t f) const { return face_page.empty() ? 0 : face_page[f]; }
+  /// One more than the largest page of a face.
+  Index number_of_pages() const
+  {
+    return face_page.empty() ? 1 : *std::max_element(face_page.begin(), face_page.end()) + 1;
   }
   /// Closes the face whose corners have been appended to `vertices`.
   void close_face() { first.push_back(vertices.size()); }

@@ -27,15 +27,15 @@ namespace internal {
 class Atlas_painter
 {
 public:
-  Atlas_painter(const Polygon_soup& soup, std::size_t size)
-      : soup_(soup), image_(2 * size, 2 * size, {252, 252, 250}), uv_(index_uv(soup.uv))
+  Atlas_painter(const Polygon_soup& soup, std::size_t size, Index page)
+      : soup_(soup), page_(page), image_(2 * size, 2 * size, {252, 252, 250}), uv_(index_uv(soup.uv))
   {}
 
   void fill_faces(const std::function<Color(std::size_t)>& color_of_face)
   {
     std::vector<Point_2> polygon;
     for (std::size_t f = 0; f < soup_.number_of_faces(); ++f) {
-      if (!has_uv(f))
+      if (!is_drawn(f))
         continue;
       polygon.clear();
       for (std::size_t c = soup_.first[f]; c < soup_.first[f + 1]; ++c)
@@ -68,8 +68,10 @@ public:
   Image picture() const { return halved(image_); }
 
 private:
-  bool has_uv(std::size_t f) const
+  bool is_drawn(std::size_t f) const
   {
+    if (soup_.page(f) != page_)
+      return false;
     for (std::size_t c = soup_.first[f]; c < soup_.first[f + 1]; ++c)
       if (c >= uv_.corner.size() || uv_.corner[c] == no_index)
         return false;
@@ -90,7 +92,7 @@ private:
       return edges_;
     std::vector<std::uint64_t> all;
     for (std::size_t f = 0; f < soup_.number_of_faces(); ++f) {
-      if (!has_uv(f))
+      if (!is_drawn(f))
         continue;
       for (std::size_t c = soup_.first[f]; c < soup_.first[f + 1]; ++c) {
         const std::uint64_t a = uv_.corner[c],
@@ -115,6 +117,7 @@ private:
   }
 
   const Polygon_soup& soup_;
+  Index page_;
   Image image_;
   Indexed_uv uv_;
   std::vector<std::pair<std::uint64_t, int>> edges_;
@@ -128,14 +131,14 @@ inline constexpr std::size_t most_faces_with_edges = 20000;
 /// \brief A picture of the page: charts in colours, their borders dark, flagged faces red.
 /// \param soup its `uv` are drawn, [0,1]^2 fills the picture
 /// \param face_chart per face the number of its chart; faces without coordinates are not drawn
-/// \param size pixels a side; \param flagged faces to show in red
+/// \param size pixels a side; \param flagged faces to show in red; \param page which one to draw
 inline Image draw_atlas(const Polygon_soup& soup, const std::vector<Index>& face_chart,
-                        std::size_t size = 1024, const std::vector<Index>& flagged = {})
+                        std::size_t size = 1024, const std::vector<Index>& flagged = {}, Index page = 0)
 {
   std::vector<bool> is_flagged(soup.number_of_faces(), false);
   for (const Index f : flagged)
     is_flagged[f] = true;
-  internal::Atlas_painter painter(soup, size);
+  internal::Atlas_painter painter(soup, size, page);
   painter.fill_faces([&](std::size_t f) {
     return is_flagged[f] ? Color{230, 20, 20} : internal::color_of_chart(face_chart[f]);
   });
@@ -157,11 +160,11 @@ inline Color color_of_stretch(double stretch)
 }
 
 /// \brief A picture of the page with faces coloured by their stretch. \see face_stretch()
-/// \param size pixels a side
+/// \param size pixels a side; \param page which one to draw
 inline Image draw_stretch(const Polygon_soup& soup, const std::vector<double>& stretch,
-                          std::size_t size = 1024)
+                          std::size_t size = 1024, Index page = 0)
 {
-  internal::Atlas_painter painter(soup, size);
+  internal::Atlas_painter painter(soup, size, page);
   painter.fill_faces([&](std::size_t f) { return color_of_stretch(stretch[f]); });
   painter.draw_borders({40, 40, 48});
   return painter.picture();

@@ -176,7 +176,10 @@ private:
         elements_.push_back({name, static_cast<std::size_t>(n), {}});
       } else if (word == "property") {
         read_property();
-      } else if (word != "comment" && word != "obj_info" && !word.empty()) {
+      } else if (word == "comment") {
+        if (text_.token() == "TextureFile")
+          soup_.page_textures.emplace_back(text_.remainder());
+      } else if (word != "obj_info" && !word.empty()) {
         text_.fail("unknown word in the header: " + quoted(word));
       }
     }
@@ -277,7 +280,8 @@ private:
 
   void read_faces(const Ply_element& element, Ply_rows& rows)
   {
-    const int indices = element.find({"vertex_indices", "vertex_index"}), wedge = element.find({"texcoord"});
+    const int indices = element.find({"vertex_indices", "vertex_index"}), wedge = element.find({"texcoord"}),
+              page = element.find({"texnumber"});
     if (indices < 0 || !element.properties[indices].count_type)
       throw IO_error(file_name_ + ": the faces have no list vertex_indices");
     soup_.first.reserve(element.count + 1);
@@ -291,8 +295,13 @@ private:
       soup_.close_face();
       if (wedge >= 0)
         add_wedge_uv(row_[indices].size(), row_[wedge]);
+      if (page >= 0)
+        soup_.face_page.push_back(at(page) > 0 && at(page) < most_pages ? static_cast<Index>(at(page)) : 0);
     }
   }
+
+  /// Numbers of textures beyond it are no pages.
+  static constexpr double most_pages = 1 << 16;
 
   void add_wedge_uv(std::size_t corners, const std::vector<double>& values)
   {
@@ -325,6 +334,8 @@ private:
   void finish()
   {
     const auto exists = [&](Index v) { return v < soup_.points.size(); };
+    if (!soup_.face_page.empty() && soup_.number_of_pages() == 1)
+      soup_.face_page.clear();
     if (!soup_.normals.empty())
       for (const Index v : soup_.vertices)
         soup_.corner_normal.push_back(exists(v) ? v : no_index);
@@ -360,8 +371,8 @@ private:
 
 /// \brief Reads a PLY file: text or binary of either byte order, with positions, normals, colours, and
 /// texture coordinates in any of three dialects (at the vertices, at the wedges of faces as MeshLab writes
-/// them, at the halfedges as CGAL does). Values at the end of a text row that the header does not declare are
-/// skipped. \throw IO_error naming the line or byte
+/// them, at the halfedges as CGAL does); MeshLab's numbers of textures are pages. Values at the end of a text
+/// row that the header does not declare are skipped. \throw IO_error naming the line or byte
 inline Polygon_soup read_ply(const std::filesystem::path& path)
 {
   const std::string bytes = internal::read_whole_file(path);

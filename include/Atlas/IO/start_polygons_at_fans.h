@@ -30,6 +30,7 @@ inline void start_polygons_at_fans(const Surface& surface, Polygon_soup& soup)
                     values.begin() + static_cast<std::ptrdiff_t>(soup.first[f + 1]));
     };
     rotate(soup.uv);
+    rotate(soup.old_uv);
     rotate(soup.corner_normal);
     rotate(soup.vertices);
   }

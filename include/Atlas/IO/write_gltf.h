@@ -20,17 +20,19 @@
 #include <sstream>
 #include <string>
 #include <tiny_gltf.h>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
 
 namespace internal {
 
-/// \brief Builds a glTF model with one mesh: one primitive per material, all of them with the same vertices.
+/// \brief Builds a glTF model with one mesh: one primitive per material and page, all of them with the same
+/// vertices.
 class Gltf_writer
 {
 public:
-  Gltf_writer(const Polygon_soup& soup, const std::string& texture_png)
+  Gltf_writer(const Polygon_soup& soup, const std::vector<std::string>& page_pngs)
       : soup_(soup), split_(split_vertices(soup)),
         surface_(build_surface(soup.points, soup.first, soup.vertices))
   {
@@ -39,7 +41,8 @@ public:
     model_.buffers.emplace_back();
     fit_into_floats();
     add_attributes();
-    add_texture(texture_png);
+    for (const std::string& png : page_pngs)
+      add_texture(png);
     add_primitives();
     add_node();
   }
@@ -152,44 +155,63 @@ private:
     }
   }
 
+  /// The texture of the next page.
   void add_texture(const std::string& png)
   {
+    texture_of_page_.push_back(-1);
     if (png.empty())
       return;
+    if (model_.samplers.empty())
+      add_sampler();
     tinygltf::Image image;
     image.mimeType = "image/png";
     image.bufferView = add_view(png.data(), png.size(), 0);
     model_.images.push_back(image);
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model_.images.size()) - 1;
+    texture.sampler = 0;
+    texture_of_page_.back() = static_cast<int>(model_.textures.size());
+    model_.textures.push_back(texture);
+  }
+
+  void add_sampler()
+  {
     tinygltf::Sampler sampler;
     sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
     sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     model_.samplers.push_back(sampler);
-    tinygltf::Texture texture;
-    texture.source = texture.sampler = 0;
-    model_.textures.push_back(texture);
   }
 
-  int add_material(const std::string& name)
+  /// One texture alone is that of all pages.
+  int texture_of(Index page) const
+  {
+    if (texture_of_page_.size() == 1)
+      return texture_of_page_[0];
+    return page < texture_of_page_.size() ? texture_of_page_[page] : -1;
+  }
+
+  int add_material(Index number, Index page)
   {
     tinygltf::Material material;
-    material.name = name;
+    material.name = page_material_name(soup_, number, page, Page_style::materials);
     material.doubleSided = true; // meshes of any orientation are to be seen
     material.pbrMetallicRoughness.metallicFactor = 0;
-    if (!model_.textures.empty())
-      material.pbrMetallicRoughness.baseColorTexture.index = 0;
+    material.pbrMetallicRoughness.baseColorTexture.index = texture_of(page);
     model_.materials.push_back(material);
     return static_cast<int>(model_.materials.size()) - 1;
   }
 
-  /// The triangles of each material, materials in the order in which faces name them first.
+  /// The triangles of each material and page, in the order in which faces name them first.
   void add_primitives()
   {
+    using Material = std::pair<Index, Index>; // and page
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<Index> materials;
-    std::map<Index, std::size_t> number;
+    std::vector<Material> materials;
+    std::map<Material, std::size_t> number;
     for (std::size_t t = 0; t < surface_.number_of_triangles(); ++t) {
-      const Index material = soup_.face_material.empty() ? no_index : soup_.face_material[surface_.face[t]];
+      const Index f = surface_.face[t];
+      const Material material{soup_.face_material.empty() ? no_index : soup_.face_material[f], soup_.page(f)};
       const auto [it, is_new] = number.try_emplace(material, lists.size());
       if (is_new) {
         lists.emplace_back();
@@ -206,8 +228,7 @@ private:
       primitive.indices =
           add_accessor(lists[i], lists[i].size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                        TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-      primitive.material =
-          add_material(materials[i] == no_index ? default_material_name : soup_.material_names[materials[i]]);
+      primitive.material = add_material(materials[i].first, materials[i].second);
       mesh.primitives.push_back(primitive);
     }
     model_.meshes.push_back(mesh);
@@ -233,6 +254,7 @@ private:
   Surface surface_;
   tinygltf::Model model_;
   std::map<std::string, int> attributes_;
+  std::vector<int> texture_of_page_; ///< -1: none
   std::array<double, 3> center_{};
   double scale_ = 1;
 };
@@ -244,10 +266,20 @@ private:
 /// Polygons are triangulated, faces without a shape are left out, vertices are split where corners differ.
 /// Positions are rounded to floats; the coordinates of an atlas are floats already, and turning v upside
 /// down, as glTF wants it, rounds nothing. Normals, colours and materials are kept. Needs the library
-/// tinygltf. \param texture_png the bytes of a PNG file; empty: no texture
+/// tinygltf.
+///
+/// glTF has no tiles: of several pages each gets its own texture, materials ("name.1002", by the number of
+/// its UDIM tile) and primitives. \param page_pngs per page the bytes of a PNG file; empty: no texture. One
+/// for all pages if there is only one
+inline std::string glb_bytes(const Polygon_soup& soup, const std::vector<std::string>& page_pngs)
+{
+  return internal::Gltf_writer(soup, page_pngs).bytes();
+}
+
+/// The same with one texture for all pages. \param texture_png the bytes of a PNG file; empty: no texture
 inline std::string glb_bytes(const Polygon_soup& soup, const std::string& texture_png)
 {
-  return internal::Gltf_writer(soup, texture_png).bytes();
+  return glb_bytes(soup, std::vector<std::string>{texture_png});
 }
 
 /// \brief Writes a binary glTF file, whole or not at all. See `glb_bytes()`.
@@ -256,6 +288,13 @@ inline void write_glb(const std::filesystem::path& path, const Polygon_soup& sou
                       const std::string& texture_png)
 {
   internal::write_whole_file(path, glb_bytes(soup, texture_png));
+}
+
+/// \brief Writes a binary glTF file with a texture per page, whole or not at all. \throw IO_error
+inline void write_glb(const std::filesystem::path& path, const Polygon_soup& soup,
+                      const std::vector<std::string>& page_pngs)
+{
+  internal::write_whole_file(path, glb_bytes(soup, page_pngs));
 }
 
 } // namespace Atlas

@@ -6,6 +6,7 @@
 #include <Atlas/IO/internal/Output_file.h>
 #include <Atlas/IO/internal/index_uv.h>
 #include <Atlas/IO/internal/number_text.h>
+#include <Atlas/IO/pages.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -70,6 +71,15 @@ inline void append_face(std::string& text, const Polygon_soup& soup, const std::
   text += '\n';
 }
 
+/// The name of a material on a page, where every page has materials of its own.
+inline std::string page_material_name(const Polygon_soup& soup, Index material, Index page, Page_style style)
+{
+  const std::string name = material == no_index ? default_material_name : soup.material_names[material];
+  return style == Page_style::udim || soup.number_of_pages() <= 1
+             ? name
+             : name + '.' + std::to_string(udim_tile(page));
+}
+
 } // namespace internal
 
 /// \brief The text of an OBJ file: the same vertices, faces and corners in the same order, with texture
@@ -77,31 +87,37 @@ inline void append_face(std::string& text, const Polygon_soup& soup, const std::
 ///
 /// Every number is written with as many digits as it takes to read exactly the same double. Equal coordinates
 /// are written once. \param material_library the name of the MTL file, beside the OBJ file; empty: none
-inline std::string obj_text(const Polygon_soup& soup, const std::string& material_library)
+/// \param style how several pages are told apart
+inline std::string obj_text(const Polygon_soup& soup, const std::string& material_library,
+                            Page_style style = Page_style::udim)
 {
   std::string text = "# written by Atlas\n";
   if (!material_library.empty())
     text += "mtllib " + material_library + '\n';
   text.reserve(60 * soup.points.size() + 40 * soup.number_of_corners());
   internal::append_vertices(text, soup);
-  const internal::Indexed_uv uv = internal::index_uv(soup.uv);
+  const internal::Indexed_uv uv = internal::index_uv(style == Page_style::udim ? udim_uv(soup) : soup.uv);
   for (const Point_2& p : uv.points)
     internal::append_statement(text, "vt", {p.x(), p.y()});
   for (const Vector_3& n : soup.normals)
     internal::append_statement(text, "vn", {n.x(), n.y(), n.z()});
 
-  Index group = no_index, material = no_index;
-  if (!material_library.empty())
+  const bool has_materials = !soup.face_material.empty();
+  const bool names_pages = style == Page_style::materials && soup.number_of_pages() > 1;
+  Index group = no_index, material = no_index, page = names_pages ? no_index : 0;
+  if (!material_library.empty() && !names_pages)
     text += std::string("usemtl ") + default_material_name + '\n';
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
     if (!soup.face_group.empty() && soup.face_group[f] != group) {
       group = soup.face_group[f];
       text += "g " + (group == no_index ? "default" : soup.group_names[group]) + '\n';
     }
-    if (!soup.face_material.empty() && soup.face_material[f] != material) {
-      material = soup.face_material[f];
-      text +=
-          "usemtl " + (material == no_index ? default_material_name : soup.material_names[material]) + '\n';
+    const Index own_material = has_materials ? soup.face_material[f] : no_index;
+    const Index own_page = names_pages ? soup.page(f) : 0;
+    if (own_material != material || own_page != page) {
+      material = own_material;
+      page = own_page;
+      text += "usemtl " + internal::page_material_name(soup, material, page, style) + '\n';
     }
     internal::append_face(text, soup, uv.corner, f);
   }
@@ -110,29 +126,41 @@ inline std::string obj_text(const Polygon_soup& soup, const std::string& materia
 
 /// \brief The text of an MTL file in which every material of the soup, and the default one, shows the
 /// texture. \param texture file name of the picture, as seen from the folder of the MTL file
-inline std::string mtl_text(const Polygon_soup& soup, const std::string& texture)
+///
+/// Of several pages each has a picture, called `page_file_name()`. With `Page_style::udim` one material names
+/// all of them, with `<UDIM>` in place of the tile's number; with `Page_style::materials` each material is
+/// there once per page.
+inline std::string mtl_text(const Polygon_soup& soup, const std::string& texture,
+                            Page_style style = Page_style::udim)
 {
   std::string text = "# written by Atlas\n";
-  const auto append = [&](const std::string& name) {
-    text += "newmtl " + name + "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + texture + '\n';
+  const Index pages = soup.number_of_pages();
+  const auto append = [&](Index material) {
+    for (Index page = 0; page < (style == Page_style::materials ? pages : 1); ++page) {
+      std::string picture = page_file_name(texture, page, pages);
+      if (style == Page_style::udim && pages > 1)
+        picture.replace(picture.rfind(".1001") + 1, 4, "<UDIM>");
+      text += "newmtl " + internal::page_material_name(soup, material, page, style) +
+              "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n';
+    }
   };
-  append(default_material_name);
-  for (const std::string& name : soup.material_names)
-    if (name != default_material_name)
-      append(name);
+  append(no_index);
+  for (Index m = 0; m < soup.material_names.size(); ++m)
+    if (soup.material_names[m] != default_material_name)
+      append(m);
   return text;
 }
 
 /// \brief Writes an OBJ file, and beside it an MTL file of the same stem that names the texture.
-/// Either both files appear whole, or none.
-/// \throw IO_error
-inline void write_obj(const std::filesystem::path& path, const Polygon_soup& soup, const std::string& texture)
+/// Either both files appear whole, or none. \param style how several pages are told apart \throw IO_error
+inline void write_obj(const std::filesystem::path& path, const Polygon_soup& soup, const std::string& texture,
+                      Page_style style = Page_style::udim)
 {
   std::filesystem::path library = path;
   library.replace_extension(".mtl");
   internal::Output_files files;
-  files.add(library, mtl_text(soup, texture));
-  files.add(path, obj_text(soup, library.filename().string()));
+  files.add(library, mtl_text(soup, texture, style));
+  files.add(path, obj_text(soup, library.filename().string(), style));
   files.commit();
 }
 

@@ -4,6 +4,7 @@
 
 #include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/internal/Output_file.h>
+#include <Atlas/IO/pages.h>
 #include <Atlas/IO/split_vertices.h>
 
 #include <algorithm>
@@ -21,8 +22,9 @@ namespace Atlas {
 
 /// Where a PLY file keeps texture coordinates.
 enum class Ply_texcoord_style {
-  wedge, ///< at the corners of faces, as MeshLab does: vertices stay as they are
-  vertex ///< at the vertices, which are split where the corners of faces differ
+  wedge, ///< at the corners of faces, as MeshLab does: vertices stay as they are; faces tell their page, and
+         ///< pages their picture
+  vertex ///< at the vertices, which are split where the corners of faces differ; pages are UDIM tiles
 };
 
 namespace internal {
@@ -36,7 +38,7 @@ public:
     if (is_wedge_)
       keep_vertices();
     else
-      split_ = split_vertices(soup);
+      split();
     has_normals_ = !split_.normal.empty();
     has_vertex_uv_ = !is_wedge_ && !soup.uv.empty();
     has_wedge_uv_ = is_wedge_ && !soup.uv.empty();
@@ -52,6 +54,17 @@ public:
   std::string take() { return std::move(bytes_); }
 
 private:
+  void split()
+  {
+    if (soup_.number_of_pages() <= 1) {
+      split_ = split_vertices(soup_);
+      return;
+    }
+    Polygon_soup tiles = soup_;
+    tiles.uv = udim_uv(soup_);
+    split_ = split_vertices(tiles);
+  }
+
   /// Wedges need no splits. A vertex can have one normal only: that of its first corner.
   void keep_vertices()
   {
@@ -69,8 +82,9 @@ private:
   void write_header(const std::string& texture)
   {
     bytes_ = "ply\nformat binary_little_endian 1.0\ncomment written by Atlas\n";
-    if (!texture.empty())
-      bytes_ += "comment TextureFile " + texture + '\n';
+    const Index pages = soup_.number_of_pages();
+    for (Index page = 0; !texture.empty() && page < pages; ++page)
+      bytes_ += "comment TextureFile " + page_file_name(texture, page, pages) + '\n';
     bytes_ += "element vertex " + std::to_string(split_.number_of_vertices()) +
               "\nproperty double x\nproperty double y\nproperty double z\n";
     if (has_normals_)
@@ -139,7 +153,7 @@ private:
     write_count(2 * soup_.face(f).size(), 2 * longest_);
     for (std::size_t c = soup_.first[f]; c < soup_.first[f + 1]; ++c)
       put_uv(soup_.uv[c]);
-    put(std::int32_t(0));
+    put(static_cast<std::int32_t>(soup_.page(f)));
   }
 
   const Polygon_soup& soup_;
@@ -153,7 +167,7 @@ private:
 
 /// \brief The bytes of a binary PLY file. Faces keep their order and corners; positions are doubles,
 /// coordinates floats. \param texture the name of the picture, which MeshLab looks for beside the file;
-/// empty: none
+/// empty: none. Of several pages each has a picture, called `page_file_name()`
 inline std::string ply_bytes(const Polygon_soup& soup, const std::string& texture,
                              Ply_texcoord_style style = Ply_texcoord_style::wedge)
 {

@@ -2,6 +2,7 @@
 #ifndef ATLAS_BAKE_BAKE_TEXTURE_H
 #define ATLAS_BAKE_BAKE_TEXTURE_H
 
+#include <Atlas/Execution.h>
 #include <Atlas/IO/Image.h>
 #include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/internal/fill_polygon.h>
@@ -21,7 +22,9 @@ namespace Atlas {
 /// \brief The place on the surface that a texel shows.
 struct Bake_sample
 {
+  std::size_t texel;             ///< of the page, row by row from the top
   Index face;                    ///< of the soup
+  Index triangle;                ///< of the surface that `build_surface()` makes of the soup
   std::array<Index, 3> corners;  ///< of the soup: those of the triangle the texel is in
   std::array<double, 3> weights; ///< barycentric coordinates, in [0, 1], sum 1
 
@@ -44,13 +47,16 @@ namespace internal {
 class Page_raster
 {
 public:
-  Page_raster(const Polygon_soup& soup, std::size_t size)
+  Page_raster(const Polygon_soup& soup, std::size_t size, Index page)
       : soup_(soup), surface_(build_surface(soup.points, soup.first, soup.vertices)), size_(size),
         triangle_(size * size, no_index)
   {
     for (Index t = 0; t < surface_.number_of_triangles(); ++t)
-      cover(t);
+      if (soup.page(surface_.face[t]) == page)
+        cover(t);
   }
+
+  const Surface& surface() const { return surface_; }
 
   std::vector<bool> coverage() const
   {
@@ -64,7 +70,9 @@ public:
   {
     const Index t = triangle_[texel];
     Bake_sample result;
+    result.texel = texel;
     result.face = surface_.face[t];
+    result.triangle = t;
     for (std::size_t i = 0; i < 3; ++i)
       result.corners[i] = surface_.corner[3 * t + i];
     result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_) + 0.5,
@@ -135,19 +143,24 @@ private:
 ///
 /// \param soup    with coordinates in [0, 1]^2
 /// \param size    texels a side
-/// \param shader  a callable `Color(const Bake_sample&)`
+/// \param shader  a callable `Color(const Bake_sample&)`, called from several threads if `execution` has
+/// them
+/// \param page    which one: only faces on it are seen
 ///
 /// O(texels + size x triangles that are taller than a texel).
 template <typename Shader>
-Image bake_texture(const Polygon_soup& soup, std::size_t size, Shader shader)
+Image bake_texture(const Polygon_soup& soup, std::size_t size, Shader shader, Index page = 0,
+                   const Execution& execution = Execution())
 {
-  const internal::Page_raster raster(soup, size);
+  const internal::Page_raster raster(soup, size, page);
   const std::vector<bool> is_covered = raster.coverage();
   const std::vector<Index> nearest = nearest_texels(is_covered, size, size);
   Image image(size, size, {128, 128, 128});
-  for (std::size_t i = 0; i < is_covered.size(); ++i)
-    if (is_covered[i])
-      image.pixels[i] = shader(raster.sample(i));
+  execution.for_each(size, [&](std::size_t row) {
+    for (std::size_t i = row * size; i < (row + 1) * size; ++i)
+      if (is_covered[i])
+        image.pixels[i] = shader(raster.sample(i));
+  });
   for (std::size_t i = 0; i < is_covered.size(); ++i)
     if (nearest[i] != no_index)
       image.pixels[i] = image.pixels[nearest[i]];
@@ -164,24 +177,26 @@ inline Color color_of(const std::array<double, 3>& components)
 }
 
 /// \brief The colours of the vertices as a texture. \pre the soup has colours
-inline Image bake_vertex_colors(const Polygon_soup& soup, std::size_t size)
+inline Image bake_vertex_colors(const Polygon_soup& soup, std::size_t size, Index page = 0)
 {
-  return bake_texture(soup, size, [&](const Bake_sample& sample) {
+  const auto color = [&](const Bake_sample& sample) {
     return color_of(
         sample.mean<std::array<double, 3>>([&](Index c) { return soup.colors[soup.vertices[c]]; }));
-  });
+  };
+  return bake_texture(soup, size, color, page);
 }
 
 /// \brief Colours given by a function of the position in space as a texture.
 /// \param color_at a callable `Color(const Point_3&)`
 template <typename ColorAt>
-Image bake_procedural(const Polygon_soup& soup, std::size_t size, ColorAt color_at)
+Image bake_procedural(const Polygon_soup& soup, std::size_t size, ColorAt color_at, Index page = 0)
 {
-  return bake_texture(soup, size, [&](const Bake_sample& sample) {
+  const auto color = [&](const Bake_sample& sample) {
     const auto p = sample.mean<std::array<double, 3>>(
         [&](Index c) -> const Point_3& { return soup.points[soup.vertices[c]]; });
     return color_at(Point_3(p[0], p[1], p[2]));
-  });
+  };
+  return bake_texture(soup, size, color, page);
 }
 
 } // namespace Atlas
