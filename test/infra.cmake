@@ -8,7 +8,7 @@ file(GLOB_RECURSE atlas_headers RELATIVE ${atlas_include} CONFIGURE_DEPENDS ${at
 
 # Headers that stand on more than CGAL's LGPL parts, Boost and Eigen; each says so.
 set(atlas_gpl_headers ${atlas_headers})
-list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)")
+list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|bake_ambient_occlusion")
 set(atlas_optional_headers ${atlas_headers})
 list(FILTER atlas_optional_headers INCLUDE REGEX "^Atlas/IO/|Stencil_validator|OSMesa")
 list(APPEND atlas_optional_headers ${atlas_gpl_headers})

@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
   std::vector<Point_2> uv;
   const Atlas_report report =
-      generate_atlas(surface, uv, parameters::texture_size(256).gutter(1).number_of_threads(1));
+      generate_atlas(surface, uv, parameters::texture_size(64).gutter(1).number_of_threads(1));
   check(surface, uv, report);
   return 0;
 }

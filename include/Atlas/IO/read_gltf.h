@@ -25,30 +25,45 @@ namespace Atlas {
 
 namespace internal {
 
+/// A message of tinygltf without line ends.
+inline std::string one_line(std::string text)
+{
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+    text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+/// Parses a glTF file, text or binary, with the loader's way to load pictures. \throw IO_error
+inline tinygltf::Model load_gltf(const std::filesystem::path& path, tinygltf::TinyGLTF& loader)
+{
+  const std::string bytes = read_whole_file(path), folder = path.parent_path().string();
+  const auto size = static_cast<unsigned>(bytes.size());
+  tinygltf::Model model;
+  std::string error, warning;
+  bool is_loaded = false;
+  try {
+    const auto* const data = bytes.data();
+    is_loaded = bytes.substr(0, 4) == "glTF"
+                    ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                  reinterpret_cast<const unsigned char*>(data), size, folder)
+                    : loader.LoadASCIIFromString(&model, &error, &warning, data, size, folder);
+  } catch (const std::exception& exception) { // of the JSON parser below tinygltf
+    error = exception.what();
+  }
+  if (!is_loaded)
+    throw IO_error(path.string() + ": " + (error.empty() ? "not a glTF file" : one_line(error)));
+  return model;
+}
+
 class Gltf_reader
 {
 public:
   explicit Gltf_reader(const std::filesystem::path& path) : name_(path.string())
   {
-    const std::string bytes = read_whole_file(path);
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(&skip_image, nullptr);
-    std::string error, warning;
-    const std::string folder = path.parent_path().string();
-    const auto size = static_cast<unsigned>(bytes.size());
-    bool is_loaded = false;
-    try {
-      const auto* const data = bytes.data();
-      is_loaded =
-          bytes.substr(0, 4) == "glTF"
-              ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
-                                            reinterpret_cast<const unsigned char*>(data), size, folder)
-              : loader.LoadASCIIFromString(&model_, &error, &warning, data, size, folder);
-    } catch (const std::exception& exception) { // of the JSON parser below tinygltf
-      fail(one_line(exception.what()));
-    }
-    if (!is_loaded)
-      fail(error.empty() ? "not a glTF file" : one_line(error));
+    model_ = load_gltf(path, loader);
     for (const std::string& extension : model_.extensionsRequired)
       if (extension != "KHR_mesh_quantization" && extension != "KHR_texture_transform" &&
           extension.rfind("KHR_materials_", 0) != 0)
@@ -82,14 +97,6 @@ private:
   }
 
   [[noreturn]] void fail(const std::string& message) const { throw IO_error(name_ + ": " + message); }
-
-  static std::string one_line(std::string text)
-  {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-      text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-  }
 
   template <typename Item>
   const Item& item(const std::vector<Item>& items, int i, const char* what) const
@@ -166,6 +173,16 @@ private:
     return it == primitive.attributes.end() ? std::vector<double>() : numbers(it->second, width);
   }
 
+  /// The coordinates of the base colour, if the material tells and the primitive has them; else the first.
+  const char* texcoord_name(const tinygltf::Primitive& primitive) const
+  {
+    const bool has_material =
+        primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model_.materials.size();
+    const bool is_second = has_material && model_.materials[static_cast<std::size_t>(primitive.material)]
+                                                   .pbrMetallicRoughness.baseColorTexture.texCoord == 1;
+    return is_second && primitive.attributes.count("TEXCOORD_1") ? "TEXCOORD_1" : "TEXCOORD_0";
+  }
+
   void read_primitive(const tinygltf::Primitive& primitive, const Matrix& matrix)
   {
     const auto offset = static_cast<Index>(soup_.points.size());
@@ -178,7 +195,7 @@ private:
     }
     add_colors(primitive, n);
     add_normals(attribute(primitive, "NORMAL", 3), matrix, n);
-    const std::vector<double> texture = attribute(primitive, "TEXCOORD_0", 2);
+    const std::vector<double> texture = attribute(primitive, texcoord_name(primitive), 2);
     has_uv_ |= !texture.empty();
     for (std::size_t i = 0; i < n; ++i) // the origin is top left in glTF, bottom left here
       vertex_uv_.push_back(2 * i + 1 < texture.size() ? Point_2(texture[2 * i], 1 - texture[2 * i + 1])
@@ -192,7 +209,10 @@ private:
         indices.push_back(static_cast<double>(i));
     add_triangles(indices, primitive.mode, offset, matrix.topLeftCorner<3, 3>().determinant() < 0);
     soup_.face_material.resize(soup_.number_of_faces(),
-                               primitive.material < 0 ? no_index : static_cast<Index>(primitive.material));
+                               primitive.material < 0 ||
+                                       static_cast<std::size_t>(primitive.material) >= model_.materials.size()
+                                   ? no_index
+                                   : static_cast<Index>(primitive.material));
     soup_.face_group.resize(soup_.number_of_faces(), static_cast<Index>(soup_.group_names.size() - 1));
   }
 
