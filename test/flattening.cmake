@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+atlas_test(ABF_parameterizer_test)
