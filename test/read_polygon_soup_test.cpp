@@ -318,6 +318,20 @@ TEST(Read_gltf, applies_nodes_and_turns_v)
   EXPECT_EQ(soup.uv, (std::vector<Point_2>{{.5, .75}, {0, 1}, {1, 0}}));
   EXPECT_EQ(soup.material_names, std::vector<std::string>{"red"});
 
+  // The second set of coordinates, if the material says so; a material that does not exist is none.
+  json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 3;
+  json["accessors"].push_back({{"bufferView", 1}, {"componentType", 5126}, {"count", 2}, {"type", "VEC2"}});
+  EXPECT_EQ(read_text("a.glb", glb()).uv, soup.uv);
+  json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}};
+  EXPECT_TRUE(std::isnan(read_text("a.glb", glb()).uv[1].x()));
+  json["meshes"][0]["primitives"][0]["material"] = 3;
+  EXPECT_EQ(read_text("a.glb", glb()).face_material, std::vector<Index>{no_index});
+
+  // A vertex that the primitive does not have is none of another one either.
+  json["meshes"][0]["primitives"].push_back(json["meshes"][0]["primitives"][0]);
+  data[60] = 3;
+  EXPECT_EQ(faces_of(read_text("a.glb", glb())), (Faces{{no_index, 2, 1}, {no_index, 5, 4}}));
+
   json["accessors"][0]["count"] = 4;
   EXPECT_EQ(error_of("a.glb", glb()), "a.glb: buffer view 0 is too short for what is to be read from it");
   json["nodes"][1]["children"] = {0};

@@ -207,7 +207,7 @@ private:
     else
       for (std::size_t i = 0; i < n; ++i)
         indices.push_back(static_cast<double>(i));
-    add_triangles(indices, primitive.mode, offset, matrix.topLeftCorner<3, 3>().determinant() < 0);
+    add_triangles(indices, primitive.mode, offset, n, matrix.topLeftCorner<3, 3>().determinant() < 0);
     soup_.face_material.resize(soup_.number_of_faces(),
                                primitive.material < 0 ||
                                        static_cast<std::size_t>(primitive.material) >= model_.materials.size()
@@ -249,11 +249,17 @@ private:
     }
   }
 
-  void add_triangles(const std::vector<double>& indices, int mode, Index offset, bool is_mirrored)
+  /// Indices of vertices that the primitive does not have become `no_index`.
+  void add_triangles(const std::vector<double>& indices, int mode, Index offset, std::size_t vertices,
+                     bool is_mirrored)
   {
+    const auto vertex = [&](double index) {
+      return index >= 0 && index < static_cast<double>(vertices) ? static_cast<Index>(index) + offset
+                                                                 : no_index;
+    };
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       for (const std::size_t i : {a, is_mirrored ? c : b, is_mirrored ? b : c})
-        soup_.vertices.push_back(static_cast<Index>(indices[i]) + offset);
+        soup_.vertices.push_back(vertex(indices[i]));
       soup_.close_face();
     };
     const std::size_t n = indices.size();
@@ -299,9 +305,9 @@ private:
         view_numbers(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), n, width,
                      accessor.componentType, accessor.normalized, false);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto at = static_cast<std::size_t>(where[i]) * width;
-      if (at + width > result.size())
+      if (!(where[i] >= 0 && where[i] < static_cast<double>(result.size() / width)))
         fail("a sparse accessor replaces what does not exist");
+      const auto at = static_cast<std::size_t>(where[i]) * width;
       std::copy_n(what.begin() + static_cast<std::ptrdiff_t>(i * width), width,
                   result.begin() + static_cast<std::ptrdiff_t>(at));
     }
