@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/internal/round_coordinates.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include "test_meshes.h"
@@ -233,6 +234,57 @@ TEST(ExactValidator, EverythingEndsInFewRounds)
         std::swap(t[1], t[2]);
     EXPECT_LE(split_until_valid(chart, Exact_validator(0)).second, 40);
   }
+}
+
+/// A flat disc of rings, each half the size of the one around it, on a page.
+Chart graded_disc(Index rings)
+{
+  constexpr Index n = 12;
+  Soup soup;
+  for (Index k = 0; k < rings; ++k)
+    for (Index i = 0; i < n; ++i) {
+      const double r = std::ldexp(0.5, -static_cast<int>(k)), a = 2 * M_PI * i / n;
+      soup.points.emplace_back(r * std::cos(a), r * std::sin(a), 0);
+    }
+  for (Index k = 0; k + 1 < rings; ++k)
+    for (Index i = 0; i < n; ++i) {
+      const Index a = k * n + i, b = k * n + (i + 1) % n;
+      soup.polygons.insert(soup.polygons.end(), {{a, b, b + n}, {a, b + n, a + n}});
+    }
+  Chart chart = chart_of(soup);
+  for (const Point_3& p : chart.points)
+    chart.uv.emplace_back(p.x() + 0.5, p.y() + 0.5);
+  return chart;
+}
+
+TEST(ExactValidator, WhatIsTooSmallForThePageComesOffWithAScaleOfItsOwn)
+{
+  const Exact_validator validator(0);
+  const Chart chart = graded_disc(30);
+  ASSERT_TRUE(validator.validate(chart, execution).is_valid());
+  Chart rounded = chart;
+  const Chart_verdict verdict{Chart_status::flipped, internal::Grid_rounding(rounded)()};
+  ASSERT_FALSE(verdict.culprits.empty());
+  const std::vector<Index> parts = validator.split(chart, verdict);
+  ASSERT_EQ(number_of_parts(parts), 2u);
+  Chart rest = part_of(chart, parts, 0), core = part_of(chart, parts, 1);
+  EXPECT_TRUE(
+      std::all_of(verdict.culprits.begin(), verdict.culprits.end(), [&](Index t) { return parts[t] == 1; }));
+  EXPECT_LT(core.number_of_triangles(), verdict.culprits.size() + 10 * 12);
+  // What stays survives the rounding, and what comes off does once it has the size of a texel.
+  EXPECT_TRUE(internal::Grid_rounding(rest)().empty());
+  const double size =
+      std::sqrt(CGAL::squared_distance(core.points[core.triangles[0][0]], core.points[core.triangles[0][2]]));
+  for (Point_2& p : core.uv)
+    p = Point_2((p.x() - 0.5) / size / 4096 + 0.5, (p.y() - 0.5) / size / 4096 + 0.5);
+  EXPECT_TRUE(internal::Grid_rounding(core)().empty());
+  EXPECT_TRUE(validator.validate(core, execution).is_valid());
+
+  // A needle that does not survive is not small: it comes off alone.
+  const Chart flat = flat_grid(20);
+  const std::vector<Index> one = validator.split(flat, {Chart_status::flipped, {17}});
+  EXPECT_EQ(std::count(one.begin(), one.end(), 1u), 1);
+  EXPECT_EQ(one[17], 1u);
 }
 
 TEST(ExactValidator, HalvesAreHalves)

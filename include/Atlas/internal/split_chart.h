@@ -76,6 +76,43 @@ inline std::vector<Index> cut_through(const Chart_graph& graph, std::span<const 
   return parts;
 }
 
+/// Two parts: the triangles to blame, together with the small ones next to them, and the rest. For what is
+/// too small for the numbers that coordinates are rounded to: as a chart of its own it gets a scale of its
+/// own.
+inline std::vector<Index> cut_off_small(const Chart& chart, const Chart_graph& graph,
+                                        std::span<const Index> culprits)
+{
+  // Next to what does not survive the rounding there is what barely does.
+  constexpr double margin = 8;
+  // From this part of the chart on triangles are not small, only thin.
+  constexpr double largest_small = 1.0 / 256;
+  const auto size = [&](Index t) {
+    const auto& [a, b, c] = chart.triangles[t];
+    return std::sqrt(std::max({CGAL::squared_distance(chart.uv[a], chart.uv[b]),
+                               CGAL::squared_distance(chart.uv[b], chart.uv[c]),
+                               CGAL::squared_distance(chart.uv[c], chart.uv[a])}));
+  };
+  const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
+  const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  double limit = 0;
+  for (const Index t : culprits)
+    if (const double reach = margin * size(t); reach <= largest_small * extent)
+      limit = std::max(limit, reach);
+  std::vector<Index> parts(graph.size(), 0), stack(culprits.begin(), culprits.end());
+  for (const Index t : culprits)
+    parts[t] = 1;
+  while (!stack.empty()) {
+    const Index t = stack.back();
+    stack.pop_back();
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      if (const Index o = graph.opposite(h); o != no_index && parts[o / 3] == 0 && size(o / 3) <= limit) {
+        parts[o / 3] = 1;
+        stack.push_back(o / 3);
+      }
+  }
+  return parts;
+}
+
 /// The zone in which a chart covers itself, as pieces that hang together over edges.
 struct Overlapped_zone
 {

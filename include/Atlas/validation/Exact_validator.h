@@ -71,6 +71,9 @@ public:
   ///   density are longer.
   /// - `flipped`: a cut through the flipped triangles that has half of them on either side. A vertex that was
   ///   too sharp to be flattened lies on the border then.
+  ///   Triangles that are counterclockwise in `chart.uv` and are to blame all the same are too small for the
+  ///   numbers that coordinates are rounded to: they come off together with their small neighbours, since a
+  ///   chart of their own gets a scale of its own.
   /// - anything else: two halves.
   /// - a chart that is not connected falls into its components, whatever the verdict.
   ///
@@ -95,6 +98,8 @@ public:
             internal::split_overlap(chart, graph, find_overlaps(triangles_uv(chart), Execution(), max_pairs));
       else if (verdict.status == Chart_status::area_ratio_exceeded)
         parts = internal::Chart_densities(chart, area_quantile_).split(graph);
+      else if (verdict.status == Chart_status::flipped && is_flipped_later(chart, verdict))
+        parts = internal::cut_off_small(chart, graph, verdict.culprits);
       else if (verdict.status == Chart_status::flipped)
         parts = internal::cut_through(graph, verdict.culprits);
     }
@@ -131,15 +136,26 @@ private:
     return internal::has_area(chart.points[a], chart.points[b], chart.points[c]);
   }
 
+  static bool is_flipped(const Chart& chart, Index t)
+  {
+    const auto& [a, b, c] = chart.triangles[t];
+    const CGAL::Orientation o = CGAL::orientation(chart.uv[a], chart.uv[b], chart.uv[c]);
+    return o == CGAL::RIGHT_TURN || (o == CGAL::COLLINEAR && has_area(chart, t));
+  }
+
+  /// Whether these coordinates are not to blame: triangles flip when they are rounded for a page.
+  static bool is_flipped_later(const Chart& chart, const Chart_verdict& verdict)
+  {
+    return std::none_of(verdict.culprits.begin(), verdict.culprits.end(),
+                        [&](Index t) { return is_flipped(chart, t); });
+  }
+
   static Chart_verdict check_orientation(const Chart& chart)
   {
     Chart_verdict verdict;
-    for (Index t = 0; t < chart.number_of_triangles(); ++t) {
-      const auto& [a, b, c] = chart.triangles[t];
-      const CGAL::Orientation o = CGAL::orientation(chart.uv[a], chart.uv[b], chart.uv[c]);
-      if (o == CGAL::RIGHT_TURN || (o == CGAL::COLLINEAR && has_area(chart, t)))
+    for (Index t = 0; t < chart.number_of_triangles(); ++t)
+      if (is_flipped(chart, t))
         verdict.culprits.push_back(t);
-    }
     if (!verdict.culprits.empty())
       verdict.status = Chart_status::flipped;
     return verdict;
