@@ -81,10 +81,49 @@ rm out/*
 
 # Colours of vertices as a texture.
 sed 's/^v .*/& 0.5 0.25 1/' cube.obj >colored.obj
-expect 0 0 colored.obj -o out/a.obj --bake-colors
+expect 0 0 colored.obj -o out/a.obj --bake colors
 grep -q 'map_Kd a_color.png' out/a.mtl && [ -s out/a_color.png ] || fail "no baked texture"
 rm out/*
-expect 3 1 cube.obj -o out/a.obj --bake-colors
+expect 3 1 cube.obj -o out/a.obj --bake colors
+
+# Normals and occlusion beside it; an old texture comes along.
+expect 0 0 cube.obj -o out/a.obj --bake normals --bake occlusion --texture-size 64
+files "${all[@]/#/a}" a_normal.png a_occlusion.png
+expect 0 0 cube.obj -o out/a.obj --texture-size 256
+expect 0 0 out/a.obj -o out/b.obj --bake texture
+grep -q 'map_Kd b_texture.png' out/b.mtl && [ -s out/b_texture.png ] || fail "no old texture"
+rm out/a_checkerboard.png out/b*
+expect 3 1 out/a.obj -o out/b.obj --bake texture
+files a.obj a.mtl a_page.png a_stretch.png a_view.png a.json a.html
+expect 3 1 cube.obj -o out/a.obj --bake texture
+
+# What charts are like.
+charts() { sed -n 's/^charts *\([0-9]*\) on.*/\1/p' stdout; }
+expect 0 0 cube.obj -o out/a.obj --hard-angle 60
+[ "$(charts)" -eq 6 ] || fail "hard edges: $(charts) charts"
+for mode in standard few-seams conformal; do
+  expect 0 0 cube.obj -o out/a.obj --mode $mode --max-distortion 1.2
+done
+sed 's/^f 1 3/usemtl a\n&/; s/^f 1 2/usemtl b\n&/' cube.obj >materials.obj
+expect 0 1 materials.obj -o out/b.obj --separate-materials --max-charts 1
+[ "$(charts)" -eq 3 ] || fail "materials: $(charts) charts"
+expect 0 0 cube.obj -o out/a.obj --hard-angle 60
+expect 0 0 out/a.obj -o out/b.obj --keep-uv --texture-size 256
+[ "$(charts)" -eq 6 ] || fail "charts of the file: $(charts)"
+expect 3 1 cube.obj -o out/b.obj --keep-uv
+expect 2 1 cube.obj -o out/b.obj --mode none
+expect 2 1 cube.obj -o out/b.obj --keep-uv --separate-materials
+rm out/*
+
+# What pages are like.
+expect 0 0 cube.obj -o out/a.obj --hard-angle 60 --pages 2 --effort normal --rotation quarter --mip-levels 2 --block 4
+grep -q 'on 2 pages' stdout || fail "two pages asked for"
+grep -q 'map_Kd a_checkerboard.<UDIM>.png' out/a.mtl || fail "the material names no tiles"
+[ -s out/a_checkerboard.1001.png ] && [ -s out/a_checkerboard.1002.png ] || fail "a texture per page"
+expect 0 0 cube.obj -o out/a.obj --density 100 --texture-size 256 --hard-angle 60
+grep -q 'on 2 pages' stdout && grep -q ' 100 texels per unit' stdout || fail "density: $(cat stdout)"
+expect 0 1 cube.obj -o out/a.obj --density 1000 --texture-size 256
+rm out/*
 
 # The same bytes for any number of threads.
 expect 0 0 cube.obj -o out/1.obj --threads 1
@@ -109,7 +148,9 @@ expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
 expect 2 1 cube.obj cube.obj -o out/a.obj
 expect 0 0 --help
-for option in MESH --output --texture-size --gutter --report --threads --picture --bake-colors --quiet; do
+for option in MESH --output --mode --max-distortion --max-charts --min-chart-texels --hard-angle --separate-materials \
+  --keep-uv --texture-size --gutter --pages --density --effort --rotation --mip-levels --block --report --threads \
+  --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"
 done
 files

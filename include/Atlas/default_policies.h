@@ -11,10 +11,54 @@
 
 namespace Atlas {
 
+/// \brief What matters most in an atlas.
+enum class Atlas_mode {
+  standard,  ///< few charts, short seams, low distortion: mean symmetric Dirichlet energy of at most 1.04
+  few_seams, ///< fewer and larger charts, shorter seams; a bound of 1.05
+  conformal  ///< the paper: least squares conformal maps as they are, densities in a chart within a factor of
+             ///< 2
+};
+
+/// The name of a mode, as programs write it.
+inline const char* name(Atlas_mode mode)
+{
+  switch (mode) {
+  case Atlas_mode::standard:
+    return "standard";
+  case Atlas_mode::few_seams:
+    return "few_seams";
+  case Atlas_mode::conformal:
+    return "conformal";
+  }
+  return "unknown";
+}
+
+/// When charts merge in a mode.
+inline Merge_options merge_options(Atlas_mode mode)
+{
+  switch (mode) {
+  case Atlas_mode::few_seams:
+    return few_seams_options();
+  case Atlas_mode::conformal:
+    return conformal_options();
+  case Atlas_mode::standard:
+    break;
+  }
+  return Merge_options();
+}
+
+/// Whether charts are optimised in a mode.
+inline Finish finish(Atlas_mode mode)
+{
+  return mode == Atlas_mode::conformal ? Finish::as_it_is : Finish::low_distortion;
+}
+
 /// Within a chart, areas in the plane over areas in space differ by at most this factor, the extreme
 /// `default_density_quantile` of the area on either side left out: texel density varies at most by its square
 /// root.
 inline constexpr double default_density_ratio = 4;
+/// The same in the conformal mode: the paper's bound.
+inline constexpr double conformal_density_ratio = 2;
 /// The share of a chart's area that the bound on density leaves out at either end: a few triangles decide
 /// nothing.
 inline constexpr double default_density_quantile = 0.01;
@@ -27,20 +71,34 @@ inline constexpr double default_trial_tolerance = 1e-3;
 struct Default_segmentation
     : Merged_segmentation<Variational_segmentation, Bijective_parameterizer<>, Identity_optimizer>
 {
-  Default_segmentation() : Merged_segmentation(Variational_segmentation(), trial_parameterizer()) {}
+  explicit Default_segmentation(Atlas_mode mode = Atlas_mode::standard)
+      : Default_segmentation(merge_options(mode), finish(mode))
+  {}
+
+  /// \param options  when charts merge
+  /// \param finish   how the charts will be flattened
+  Default_segmentation(const Merge_options& options, Finish finish)
+      : Merged_segmentation(Variational_segmentation(), trial_parameterizer(finish), Identity_optimizer(),
+                            options)
+  {}
 
 private:
-  static Bijective_parameterizer<> trial_parameterizer()
+  static Bijective_parameterizer<> trial_parameterizer(Finish finish)
   {
     Distortion_options options;
     options.max_iterations = default_trial_iterations;
     options.tolerance = default_trial_tolerance;
-    return Bijective_parameterizer<>(Finish::low_distortion, options);
+    return Bijective_parameterizer<>(finish, options);
   }
 };
 
 /// LSCM, made one-to-one where it is not, with low symmetric Dirichlet energy.
-using Default_parameterizer = Bijective_parameterizer<>;
+struct Default_parameterizer : Bijective_parameterizer<>
+{
+  explicit Default_parameterizer(Atlas_mode mode = Atlas_mode::standard)
+      : Bijective_parameterizer(finish(mode))
+  {}
+};
 
 /// The default parameterizer optimises already.
 using Default_optimizer = Identity_optimizer;
@@ -50,7 +108,10 @@ using Default_packer = Raster_packer;
 /// Exact one-to-one test, and a bound on density that serves as a safety net of the merge.
 struct Default_validator : Exact_validator
 {
-  Default_validator() : Exact_validator(default_density_ratio, default_density_quantile) {}
+  explicit Default_validator(Atlas_mode mode = Atlas_mode::standard)
+      : Exact_validator(mode == Atlas_mode::conformal ? conformal_density_ratio : default_density_ratio,
+                        default_density_quantile)
+  {}
 };
 
 } // namespace Atlas

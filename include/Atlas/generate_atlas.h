@@ -4,12 +4,14 @@
 
 #include <Atlas/Atlas_report.h>
 #include <Atlas/concepts.h>
+#include <Atlas/constrain_hard_edges.h>
 #include <Atlas/default_policies.h>
 #include <Atlas/internal/Atlas_pipeline.h>
 #include <Atlas/internal/Mesh_view.h>
 #include <Atlas/internal/page_options.h>
 #include <Atlas/parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
@@ -20,6 +22,26 @@ namespace Atlas {
 
 namespace internal {
 
+/// The share of a page that charts cover as a rule.
+inline constexpr double usual_packing_efficiency = 0.6;
+
+/// When charts merge, as a pack of named parameters asks.
+template <typename NamedParameters>
+Merge_options chosen_merge_options(const NamedParameters& np, Atlas_mode mode, const Page_options& page)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Merge_options options = choose_parameter(get_parameter(np, merge_options_t()), merge_options(mode));
+  const auto max_charts = choose_parameter(get_parameter(np, max_charts_t()), options.max_charts);
+  CGAL_precondition_msg(!(max_charts < 0), "the number of charts must not be negative");
+  options.max_charts = static_cast<std::size_t>(max_charts);
+  const double texels = choose_parameter(get_parameter(np, min_chart_texels_t()), 0.0);
+  CGAL_precondition_msg(texels >= 0, "the size of charts must not be negative");
+  if (texels > 0)
+    options.min_chart_area = texels / (usual_packing_efficiency * double(page.width) * page.height);
+  return options;
+}
+
 /// Runs the pipeline with the policies of a pack. `use(pipeline)` gets it after a run that filled the
 /// coordinates.
 template <typename NamedParameters, typename Use>
@@ -28,10 +50,15 @@ Atlas_report run_pipeline(const Surface& surface, std::vector<Point_2>& corner_u
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto segmentation = choose_parameter(get_parameter(np, segmentation_t()), Default_segmentation());
-  const auto parameterizer = choose_parameter(get_parameter(np, parameterizer_t()), Default_parameterizer());
+  const Page_options page = page_options(np);
+  const Atlas_mode mode = choose_parameter(get_parameter(np, mode_t()), Atlas_mode::standard);
+  const auto segmentation =
+      choose_parameter(get_parameter(np, segmentation_t()),
+                       Default_segmentation(chosen_merge_options(np, mode, page), finish(mode)));
+  const auto parameterizer =
+      choose_parameter(get_parameter(np, parameterizer_t()), Default_parameterizer(mode));
   const auto optimizer = choose_parameter(get_parameter(np, optimizer_t()), Default_optimizer());
-  const auto validator = choose_parameter(get_parameter(np, validator_t()), Default_validator());
+  const auto validator = choose_parameter(get_parameter(np, validator_t()), Default_validator(mode));
   const auto packer = choose_parameter(get_parameter(np, packer_t()), Default_packer());
   const auto threads = choose_parameter(get_parameter(np, number_of_threads_t()), 0u);
   const Progress progress = choose_parameter(get_parameter(np, progress_t()), Progress());
@@ -45,8 +72,13 @@ Atlas_report run_pipeline(const Surface& surface, std::vector<Point_2>& corner_u
                 "the validator must model ChartValidator");
   static_assert(ChartPacker<std::remove_cvref_t<decltype(packer)>>, "the packer must model ChartPacker");
 
-  Atlas_pipeline pipeline(surface, segmentation, parameterizer, optimizer, validator, packer,
-                          page_options(np), static_cast<unsigned>(threads), progress);
+  Surface with_hard_edges;
+  const double hard_angle = choose_parameter(get_parameter(np, hard_angle_t()), 0.0);
+  CGAL_precondition_msg(hard_angle >= 0 && hard_angle <= 180, "the hard angle must be in (0, 180] degrees");
+  if (hard_angle > 0)
+    constrain_hard_edges(with_hard_edges = surface, hard_angle);
+  Atlas_pipeline pipeline(hard_angle > 0 ? with_hard_edges : surface, segmentation, parameterizer, optimizer,
+                          validator, packer, page, static_cast<unsigned>(threads), progress);
   Atlas_report report = pipeline.run(corner_uv);
   if (report.status == Atlas_status::valid || report.status == Atlas_status::not_valid)
     use(pipeline.segmentation());

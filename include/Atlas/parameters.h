@@ -13,6 +13,20 @@ struct gutter_t
 {};
 struct page_options_t
 {};
+struct mode_t
+{};
+struct merge_options_t
+{};
+struct max_charts_t
+{};
+struct min_chart_texels_t
+{};
+struct hard_angle_t
+{};
+struct seam_cost_map_t
+{};
+struct forbidden_seam_map_t
+{};
 struct segmentation_t
 {};
 struct parameterizer_t
@@ -63,6 +77,50 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   auto page_options(const K& k) const
   {
     return with<internal::page_options_t>(k);
+  }
+  /// What matters most: an `Atlas_mode`; default `Atlas_mode::standard`. Policies that are given prevail.
+  template <typename K>
+  auto mode(const K& k) const
+  {
+    return with<internal::mode_t>(k);
+  }
+  /// When charts merge in the default segmentation: `Merge_options`; default: those of the mode.
+  template <typename K>
+  auto merge_options(const K& k) const
+  {
+    return with<internal::merge_options_t>(k);
+  }
+  /// Merging goes on past the bound on distortion until there are at most so many charts, as far as discs,
+  /// patches and seams allow; default 0: no such wish.
+  template <typename K>
+  auto max_charts(const K& k) const
+  {
+    return with<internal::max_charts_t>(k);
+  }
+  /// Charts of fewer texels, about, join a neighbour even past the bound; default 0: no such wish.
+  template <typename K>
+  auto min_chart_texels(const K& k) const
+  {
+    return with<internal::min_chart_texels_t>(k);
+  }
+  /// Edges at which normals turn by more than so many degrees, in (0, 180], become seams; default: none.
+  template <typename K>
+  auto hard_angle(const K& k) const
+  {
+    return with<internal::hard_angle_t>(k);
+  }
+  /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
+  /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
+  template <typename K>
+  auto seam_cost_map(const K& k) const
+  {
+    return with<internal::seam_cost_map_t>(k);
+  }
+  /// A readable map of Booleans from edges: those that must not be seams, as far as topology allows.
+  template <typename K>
+  auto forbidden_seam_map(const K& k) const
+  {
+    return with<internal::forbidden_seam_map_t>(k);
   }
   /// A model of `ChartSegmentation`.
   template <typename K>
@@ -141,6 +199,13 @@ namespace parameters {
 template <typename K> auto texture_size(const K& k) { return Named_parameters<K, internal::texture_size_t>(k); }
 template <typename K> auto gutter(const K& k) { return Named_parameters<K, internal::gutter_t>(k); }
 template <typename K> auto page_options(const K& k) { return Named_parameters<K, internal::page_options_t>(k); }
+template <typename K> auto mode(const K& k) { return Named_parameters<K, internal::mode_t>(k); }
+template <typename K> auto merge_options(const K& k) { return Named_parameters<K, internal::merge_options_t>(k); }
+template <typename K> auto max_charts(const K& k) { return Named_parameters<K, internal::max_charts_t>(k); }
+template <typename K> auto min_chart_texels(const K& k) { return Named_parameters<K, internal::min_chart_texels_t>(k); }
+template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
+template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
+template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
 template <typename K> auto segmentation(const K& k) { return Named_parameters<K, internal::segmentation_t>(k); }
 template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
 template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }

@@ -55,6 +55,7 @@ public:
         progress_(std::move(progress))
   {
     normalize();
+    page_.density *= unit_;
   }
 
   /// \param corner_uv  per input corner; untouched when the run is cancelled or there is no surface

@@ -4,7 +4,9 @@
 
 #include <Atlas/Surface.h>
 #include <Atlas/build_surface.h>
+#include <Atlas/parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -66,18 +68,44 @@ Mesh_view<FaceListGraph> flatten_mesh(const FaceListGraph& mesh, VertexPointMap 
 }
 
 template <typename FaceListGraph>
-void read_constraints(const FaceListGraph&, Mesh_view<FaceListGraph>&, Param_not_found)
+void read_constraints(const FaceListGraph&, Mesh_view<FaceListGraph>&, Param_not_found, Edge_constraint)
 {}
 
+/// Gives the edges of the mesh for which `is_marked` holds a constraint.
 template <typename FaceListGraph, typename EdgeMap>
-void read_constraints(const FaceListGraph& mesh, Mesh_view<FaceListGraph>& view, EdgeMap is_constrained)
+void read_constraints(const FaceListGraph& mesh, Mesh_view<FaceListGraph>& view, EdgeMap is_marked,
+                      Edge_constraint constraint)
 {
   Surface& surface = view.surface;
-  surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
+  surface.constraint.resize(surface.opposite.size(), Edge_constraint::none);
   for (Index h = 0; h < surface.opposite.size(); ++h)
     if (surface.opposite[h] != no_index && !surface.is_diagonal(h) &&
-        get(is_constrained, edge(view.halfedge_of(h), mesh)))
-      surface.constraint[h] = surface.constraint[surface.opposite[h]] = Edge_constraint::seam;
+        get(is_marked, edge(view.halfedge_of(h), mesh)))
+      surface.constraint[h] = surface.constraint[surface.opposite[h]] = constraint;
+}
+
+template <typename FaceListGraph>
+void read_seam_costs(const FaceListGraph&, Mesh_view<FaceListGraph>&, Param_not_found)
+{}
+
+/// Costs come from a map of edges or of vertices.
+template <typename FaceListGraph, typename CostMap>
+void read_seam_costs(const FaceListGraph& mesh, Mesh_view<FaceListGraph>& view, CostMap cost)
+{
+  using Edge = typename boost::graph_traits<FaceListGraph>::edge_descriptor;
+  const auto cost_of = [&](const auto h) -> double {
+    if constexpr (std::is_convertible_v<Edge, typename boost::property_traits<CostMap>::key_type>)
+      return CGAL::to_double(get(cost, edge(h, mesh)));
+    else
+      return (CGAL::to_double(get(cost, source(h, mesh))) + CGAL::to_double(get(cost, target(h, mesh)))) / 2;
+  };
+  Surface& surface = view.surface;
+  surface.seam_cost.assign(surface.opposite.size(), 1);
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (const Index o = surface.opposite[h]; o != no_index && h < o && !surface.is_diagonal(h)) {
+      surface.seam_cost[h] = surface.seam_cost[o] = cost_of(view.halfedge_of(h));
+      CGAL_precondition_msg(surface.seam_cost[h] > 0, "seams must have a positive cost");
+    }
 }
 
 template <typename FaceListGraph>
@@ -111,7 +139,10 @@ Mesh_view<FaceListGraph> view_mesh(const FaceListGraph& mesh, const NamedParamet
                    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                     CGAL::get_const_property_map(CGAL::vertex_point, mesh)),
                    CGAL::get_initialized_vertex_index_map(mesh, np));
-  read_constraints(mesh, view, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+  read_constraints(mesh, view, get_parameter(np, forbidden_seam_map_t()), Edge_constraint::no_seam);
+  read_constraints(mesh, view, get_parameter(np, CGAL::internal_np::edge_is_constrained),
+                   Edge_constraint::seam);
+  read_seam_costs(mesh, view, get_parameter(np, seam_cost_map_t()));
   read_patches(view, get_parameter(np, CGAL::internal_np::face_patch));
   return view;
 }

@@ -35,10 +35,37 @@ struct Merge_options
   /// Pairs of charts that are tried at a time, and maybe in parallel. Part of the result: not a number of
   /// threads.
   std::size_t batch = 8;
+  /// Merging is done in so many orders, 1 to 5, and the shortest seams are taken.
+  std::size_t orders = 5;
+  /// Merging goes on past the bound until there are at most so many charts, as far as discs, patches and
+  /// seams allow; 0: no such wish.
+  std::size_t max_charts = 0;
+  /// Charts below this share of the surface's area join a neighbour even past the bound, if the union is a
+  /// disc; 0: no such wish.
+  double min_chart_area = 0;
   /// `Merged_segmentation`: whether borders are smoothed before charts merge, and where the bound allows it,
   /// afterwards.
   bool are_borders_smoothed = true;
 };
+
+/// Fewer charts and shorter seams for more distortion: a bound of 1.05, and larger charts.
+inline Merge_options few_seams_options()
+{
+  Merge_options options;
+  options.max_distortion = 1.05;
+  options.max_area_share = 1;
+  options.min_solidity = 0.4;
+  return options;
+}
+
+/// The paper's section 3.3: densities in a chart differ at most by a factor of two.
+inline Merge_options conformal_options()
+{
+  Merge_options options;
+  options.measure = Distortion_measure::area_ratio_quantiles;
+  options.max_distortion = 2;
+  return options;
+}
 
 } // namespace Atlas
 

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The main job as a program: any polygon mesh in, a textured model out, with pictures and a report.
-#include <Atlas/IO/checkerboard.h>
-#include <Atlas/IO/draw_atlas.h>
+#include <Atlas/IO/IO_error.h>
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/render_model.h>
+#include <Atlas/IO/read_textures.h>
 #include <Atlas/IO/start_polygons_at_fans.h>
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_html_report.h>
-#include <Atlas/IO/write_obj.h>
-#include <Atlas/IO/write_ply.h>
-#include <Atlas/IO/write_png.h>
-#include <Atlas/IO/write_report.h>
-#include <Atlas/bake/bake_texture.h>
-#include <Atlas/generate_atlas.h>
+#include <Atlas/build_surface.h>
 
 #include <CGAL/assertions.h>
 
+#include "texture_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -24,9 +17,12 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <new>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -40,15 +36,6 @@ enum Exit_code {
   io_failure = 3,
   internal_failure = 4,
   interrupted = 130
-};
-
-struct Options
-{
-  std::string mesh, output, report, picture;
-  Atlas::Index texture_size = Atlas::default_texture_size;
-  double gutter = Atlas::default_gutter;
-  unsigned threads = 0;
-  bool bakes_colors = false, is_quiet = false, shows_progress = false;
 };
 
 /// A message may come from a library and have several lines; scripts rely on one.
@@ -75,9 +62,59 @@ void declare_options(CLI::App& app, Options& options)
   app.add_option("--texture-size", options.texture_size, "Side of the square page in texels")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();
-  app.add_option("--gutter", options.gutter,
+  app.add_option("--gutter", options.page.gutter,
                  "Least distance between two charts in texels; half of it to the border of the page")
       ->check(CLI::Range(0.0, 16384.0))
+      ->capture_default_str();
+  app.add_option(
+         "--mode", options.mode,
+         "What matters most: `standard` has few charts with low distortion, `few-seams` fewer and larger "
+         "charts with more of it, `conformal` least squares conformal maps as they are")
+      ->check(CLI::IsMember({"standard", "few-seams", "conformal"}))
+      ->capture_default_str();
+  app.add_option("--max-distortion", options.max_distortion,
+                 "Charts merge while their mean symmetric Dirichlet energy (1 is isometric), in the mode "
+                 "`conformal` the ratio of densities, stays below this. Default: that of the mode")
+      ->check(CLI::Range(1.0, 1e6));
+  app.add_option(
+      "--max-charts", options.max_charts,
+      "Merge on until there are at most so many charts, as far as they stay discs. Default: no limit");
+  app.add_option("--min-chart-texels", options.min_chart_texels,
+                 "Merge charts of fewer texels, about, with a neighbour. Default: no limit")
+      ->check(CLI::Range(0.0, 1e10));
+  app.add_option("--hard-angle", options.hard_angle,
+                 "Cut at edges where normals turn by more than so many degrees. Default: none")
+      ->check(CLI::Range(0.0, 180.0));
+  app.add_flag("--separate-materials", options.separates_materials,
+               "Let no chart have faces of two materials");
+  app.add_flag(
+      "--keep-uv", options.keeps_uv,
+      "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
+      "faces without coordinates are flattened");
+  app.add_option(
+         "--pages", options.page.pages,
+         "Number of pages that may be filled. Of several pages each has its textures, and coordinates "
+         "are UDIM tiles (.obj) or materials (.glb)")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--density", options.page.density,
+         "Texels per unit of the model, on as many pages as that takes. Default: the largest that fits "
+         "the pages")
+      ->check(CLI::Range(0.0, 1e300));
+  app.add_option("--effort", options.effort, "How long to look for a tighter packing")
+      ->check(CLI::IsMember({"fast", "normal", "best"}))
+      ->capture_default_str();
+  app.add_option("--rotation", options.rotation, "How charts may turn on the page")
+      ->check(CLI::IsMember({"any", "quarter", "none"}))
+      ->capture_default_str();
+  app.add_option("--mip-levels", options.page.mip_levels,
+                 "Keep charts apart down to this level of a mip-map: by 2^n texels")
+      ->check(CLI::Range(0, 14))
+      ->capture_default_str();
+  app.add_option("--block", options.page.block,
+                 "No two charts share a block of so many texels squared: 4 for most texture compression")
+      ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   app.add_option("--report", options.report,
                  "Where to write the report as JSON, instead of beside the model");
@@ -87,8 +124,16 @@ void declare_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--picture", options.picture,
                  "Also write one PNG picture with the page and the model side by side");
-  app.add_flag("--bake-colors", options.bakes_colors,
-               "Texture the model with the colours of its vertices (_color.png) instead of the checkerboard");
+  app.add_option(
+         "--bake", options.bakes,
+         "What to bake into the page: `colors` of the vertices (_color.png) or the old `texture` "
+         "(_texture.png) instead of the checkerboard; `normals` in the space of the model "
+         "(_normal.png) and ambient `occlusion` (_occlusion.png) beside it. May be given several times")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Bake>{{"colors", Bake::colors},
+                                                                      {"texture", Bake::texture},
+                                                                      {"normals", Bake::normals},
+                                                                      {"occlusion", Bake::occlusion}})
+                      .description("colors|texture|normals|occlusion"));
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
@@ -106,9 +151,17 @@ void complete(Options& options)
   if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
     throw CLI::ValidationError("--output",
                                "the name of the model must end in .obj, .glb or .ply: " + options.output);
-  if (!(options.gutter * 2 < options.texture_size)) // not a number fails too
+  options.page.width = options.page.height = options.texture_size;
+  if (!(options.page.effective_gutter() * 2 < options.texture_size)) // not a number fails too
     throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
-                                               CLI::detail::to_string(options.gutter) + " texels");
+                                               CLI::detail::to_string(options.page.effective_gutter()) +
+                                               " texels");
+  if (options.keeps_uv && options.separates_materials)
+    throw CLI::ValidationError("--keep-uv", "does not go with --separate-materials");
+  using enum Atlas::Chart_rotation;
+  options.page.rotation = options.rotation == "quarter" ? quarter_turns
+                          : options.rotation == "none"  ? none
+                                                        : any;
 }
 
 std::atomic<bool> is_interrupted{false};
@@ -158,116 +211,6 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The name of a file beside the model.
-fs::path beside(const fs::path& output, const std::string& suffix)
-{
-  return output.parent_path() / (output.stem().string() + suffix);
-}
-
-Atlas::Image side_by_side(const Atlas::Image& left, const Atlas::Image& right)
-{
-  Atlas::Image image(left.width + right.width, std::max(left.height, right.height));
-  paste(left, image, 0, 0);
-  paste(right, image, left.width, 0);
-  return image;
-}
-
-/// Files that appear together, and their names.
-class Outputs
-{
-public:
-  void add(const fs::path& path, const std::string& bytes)
-  {
-    files_.add(path, bytes);
-    names_.push_back(path.string());
-  }
-
-  /// Gives the files their names, which are returned.
-  const std::vector<std::string>& commit()
-  {
-    files_.commit();
-    return names_;
-  }
-
-private:
-  Atlas::internal::Output_files files_;
-  std::vector<std::string> names_;
-};
-
-/// The texture of the model: a checkerboard, or its colours, which are then no longer needed at the vertices.
-Atlas::Image make_texture(const Options& options, Atlas::Polygon_soup& model)
-{
-  const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
-  if (!options.bakes_colors)
-    return Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
-  Atlas::Image texture = Atlas::bake_vertex_colors(model, side);
-  model.colors.clear();
-  return texture;
-}
-
-/// The model in the format that its extension names, with its texture.
-void add_model(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
-               const Atlas::Image& texture)
-{
-  const fs::path output = options.output;
-  const fs::path library = beside(output, ".mtl");
-  const fs::path picture = beside(output, options.bakes_colors ? "_color.png" : "_checkerboard.png");
-  const std::string png = Atlas::png_bytes(texture);
-  if (output.extension() == ".glb") {
-    outputs.add(output, Atlas::glb_bytes(model, png));
-    return;
-  }
-  if (output.extension() == ".ply") {
-    outputs.add(output, Atlas::ply_bytes(model, picture.filename().string()));
-  } else {
-    outputs.add(output, Atlas::obj_text(model, library.filename().string()));
-    outputs.add(library, Atlas::mtl_text(model, picture.filename().string()));
-  }
-  outputs.add(picture, png);
-}
-
-void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
-                  const Atlas::Image& texture, const Atlas::Atlas_report& report)
-{
-  const fs::path output = options.output;
-  const std::vector<double> stretch =
-      Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
-  Atlas::Report_pictures pictures;
-  pictures.page = Atlas::draw_atlas(model, report.face_chart, 1024, report.certificate.culprits);
-  pictures.stretch = Atlas::draw_stretch(model, stretch);
-  pictures.view = Atlas::render_model(model, texture);
-  outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
-  outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
-  outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
-  outputs.add(beside(output, ".html"),
-              Atlas::html_report(model, report, pictures, fs::path(options.mesh).filename().string()));
-  if (!options.picture.empty()) {
-    const Atlas::Image page =
-        Atlas::draw_atlas(model, report.face_chart, pictures.view.height, report.certificate.culprits);
-    outputs.add(options.picture, Atlas::png_bytes(side_by_side(page, pictures.view)));
-  }
-}
-
-/// Writes everything or nothing. Returns the names of what has been written.
-std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
-                                       const Atlas::Atlas_report& report, const Atlas::Json& json)
-{
-  Outputs outputs;
-  const fs::path output = options.output;
-  const bool is_device = fs::exists(output) && !fs::is_regular_file(output); // then nothing lies beside it
-  if (is_device) {
-    outputs.add(output, Atlas::obj_text(model, ""));
-  } else {
-    const Atlas::Image texture = make_texture(options, model);
-    add_model(outputs, options, model, texture);
-    add_pictures(outputs, options, model, texture, report);
-  }
-  if (!is_device || !options.report.empty())
-    outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
-                Atlas::json_text(json));
-  return outputs.commit();
-}
-
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
 {
   const Atlas::Distortion& d = report.distortion;
@@ -309,23 +252,42 @@ void print_rejected(const Atlas::Atlas_report& report)
                  report.rejected.size() - shown);
 }
 
+/// Refuses wishes that the model cannot fulfil.
+void check_wishes(const Options& options, const Atlas::Polygon_soup& model)
+{
+  if (options.has(Bake::colors) && model.colors.empty())
+    throw Atlas::IO_error(options.mesh + ": the vertices have no colours to bake");
+  if ((options.keeps_uv || options.has(Bake::texture)) && model.uv.empty())
+    throw Atlas::IO_error(options.mesh + ": there are no texture coordinates in this file");
+}
+
+/// Tells of wishes that could not be fulfilled.
+void print_unfulfilled(const Options& options, const Atlas::Atlas_report& report)
+{
+  constexpr double tolerance = 1e-6;
+  if (report.density < options.page.density * (1 - tolerance))
+    std::fprintf(
+        stderr,
+        "texture_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
+        options.page.density, report.density);
+  if (options.max_charts > 0 && report.charts.size() > options.max_charts)
+    std::fprintf(stderr, "texture_atlas: fewer than %zu charts would not be discs without overlap\n",
+                 report.charts.size());
+}
+
 int run(const Options& options)
 {
   const Stopwatch reading;
   Atlas::Polygon_soup model = Atlas::read_polygon_soup(options.mesh);
-  const Atlas::Surface surface = Atlas::build_surface(model.points, model.first, model.vertices);
-  if (options.bakes_colors && model.colors.empty())
-    throw Atlas::IO_error(options.mesh + ": the vertices have no colours to bake");
+  Atlas::Surface surface = Atlas::build_surface(model.points, model.first, model.vertices);
+  check_wishes(options, model);
+  const Atlas::Source_textures source =
+      options.has(Bake::texture) ? Atlas::read_textures(options.mesh, model) : Atlas::Source_textures();
   const double seconds_reading = reading.seconds();
 
   Progress_printer progress(options);
   std::vector<Atlas::Point_2> uv;
-  const Atlas::Atlas_report report =
-      Atlas::generate_atlas(surface, uv,
-                            Atlas::parameters::texture_size(options.texture_size)
-                                .gutter(options.gutter)
-                                .number_of_threads(options.threads)
-                                .progress(std::ref(progress)));
+  const Atlas::Atlas_report report = make_atlas(options, model, surface, uv, std::ref(progress));
   progress.finish();
   if (report.status == Atlas::Atlas_status::cancelled) {
     print_error("interrupted; nothing has been written");
@@ -337,13 +299,14 @@ int run(const Options& options)
   }
 
   const Stopwatch writing;
-  model.uv = std::move(uv);
+  model.old_uv = std::exchange(model.uv, std::move(uv));
+  if (report.pages > 1)
+    model.face_page = report.face_page;
   start_polygons_at_fans(surface, model);
-  Atlas::Json json = {{"mesh", options.mesh}, {"vertices", model.points.size()}};
-  json.update(to_json(report));
-  const std::vector<std::string> names = write_outputs(options, model, report, json);
+  const std::vector<std::string> names = write_outputs(options, model, report, source);
   if (!options.is_quiet) {
     print_rejected(report);
+    print_unfulfilled(options, report);
     print_table(options, model, report);
     print_times(report, seconds_reading, writing.seconds());
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -359,6 +322,11 @@ int run(const Options& options)
 }
 
 } // namespace
+
+bool Options::has(Bake bake) const
+{
+  return std::find(bakes.begin(), bakes.end(), bake) != bakes.end();
+}
 
 int main(int argc, char** argv)
 {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The call of the library.
+#include <Atlas/constrain_to_uv.h>
+#include <Atlas/generate_atlas.h>
+#include <Atlas/parameterization/Given_parameterizer.h>
+#include <Atlas/segmentation/Patch_segmentation.h>
+
+#include "texture_atlas.h"
+#include <limits>
+
+namespace {
+
+Atlas::Atlas_mode mode_of(const std::string& name)
+{
+  using enum Atlas::Atlas_mode;
+  return name == "few-seams" ? few_seams : name == "conformal" ? conformal : standard;
+}
+
+Atlas::Packing_effort effort_of(const std::string& name)
+{
+  using enum Atlas::Packing_effort;
+  return name == "best" ? best : name == "normal" ? normal : fast;
+}
+
+/// Materials become patches; a face without one is of one more material.
+void separate_materials(const Atlas::Polygon_soup& model, Atlas::Surface& surface)
+{
+  surface.patch.resize(surface.number_of_triangles());
+  for (std::size_t t = 0; t < surface.patch.size(); ++t)
+    surface.patch[t] = model.face_material.empty() ? 0 : model.face_material[surface.face[t]] + 1;
+}
+
+} // namespace
+
+Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,
+                               Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
+                               const std::function<bool(Atlas::Stage, double)>& progress)
+{
+  const Atlas::Atlas_mode mode = mode_of(options.mode);
+  Atlas::Merge_options merge = Atlas::merge_options(mode);
+  if (options.max_distortion > 0)
+    merge.max_distortion = options.max_distortion;
+  const auto common = Atlas::parameters::page_options(options.page)
+                          .packer(Atlas::Raster_packer(effort_of(options.effort)))
+                          .number_of_threads(options.threads)
+                          .progress(progress);
+  if (options.keeps_uv) {
+    Atlas::constrain_to_uv(surface, model.uv);
+    const Atlas::Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);
+    return Atlas::generate_atlas(surface, uv,
+                                 common.segmentation(Atlas::Patch_segmentation())
+                                     .parameterizer(Atlas::Given_parameterizer<>(surface, model.uv))
+                                     .validator(any_density));
+  }
+  if (options.separates_materials)
+    separate_materials(model, surface);
+  return Atlas::generate_atlas(surface, uv,
+                               common.mode(mode)
+                                   .merge_options(merge)
+                                   .max_charts(options.max_charts)
+                                   .min_chart_texels(options.min_chart_texels)
+                                   .hard_angle(options.hard_angle));
+}

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The files that the program leaves.
+#include <Atlas/IO/checkerboard.h>
+#include <Atlas/IO/draw_atlas.h>
+#include <Atlas/IO/face_distortion.h>
+#include <Atlas/IO/pages.h>
+#include <Atlas/IO/render_model.h>
+#include <Atlas/IO/write_gltf.h>
+#include <Atlas/IO/write_html_report.h>
+#include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/write_ply.h>
+#include <Atlas/IO/write_png.h>
+#include <Atlas/IO/write_report.h>
+#include <Atlas/bake/bake_ambient_occlusion.h>
+#include <Atlas/bake/bake_normals.h>
+#include <Atlas/bake/bake_texture.h>
+#include <Atlas/bake/transfer_texture.h>
+
+#include "texture_atlas.h"
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name of a file beside the model.
+fs::path beside(const fs::path& output, const std::string& suffix)
+{
+  return output.parent_path() / (output.stem().string() + suffix);
+}
+
+Atlas::Image side_by_side(const Atlas::Image& left, const Atlas::Image& right)
+{
+  Atlas::Image image(left.width + right.width, std::max(left.height, right.height));
+  paste(left, image, 0, 0);
+  paste(right, image, left.width, 0);
+  return image;
+}
+
+/// Files that appear together, and their names.
+class Outputs
+{
+public:
+  void add(const fs::path& path, const std::string& bytes)
+  {
+    files_.add(path, bytes);
+    names_.push_back(path.string());
+  }
+
+  /// Gives the files their names, which are returned.
+  const std::vector<std::string>& commit()
+  {
+    files_.commit();
+    return names_;
+  }
+
+private:
+  Atlas::internal::Output_files files_;
+  std::vector<std::string> names_;
+};
+
+/// Pictures of all pages, and what their files are called.
+struct Textures
+{
+  std::vector<Atlas::Image> pages;
+  std::string suffix;
+};
+
+const char* suffix_of(Bake what)
+{
+  switch (what) {
+  case Bake::colors:
+    return "_color.png";
+  case Bake::texture:
+    return "_texture.png";
+  case Bake::normals:
+    return "_normal.png";
+  case Bake::occlusion:
+    return "_occlusion.png";
+  }
+  return "";
+}
+
+/// Bakes the pages of a model.
+class Baker
+{
+public:
+  Baker(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Source_textures& source)
+      : options_(options), model_(model), source_(source), execution_(options.threads)
+  {}
+
+  Textures operator()(Bake what) const
+  {
+    Textures result{{}, suffix_of(what)};
+    for (Atlas::Index page = 0; page < model_.number_of_pages(); ++page)
+      result.pages.push_back(image(what, page));
+    return result;
+  }
+
+private:
+  Atlas::Image image(Bake what, Atlas::Index page) const
+  {
+    const std::size_t side = options_.texture_size;
+    switch (what) {
+    case Bake::colors:
+      return Atlas::bake_vertex_colors(model_, side, page);
+    case Bake::texture:
+      return Atlas::transfer_texture(model_, side, source_, page, execution_);
+    case Bake::normals:
+      return Atlas::bake_normals(model_, side, page, execution_);
+    case Bake::occlusion:
+      return Atlas::bake_ambient_occlusion(model_, side, {}, page, execution_);
+    }
+    return {};
+  }
+
+  const Options& options_;
+  const Atlas::Polygon_soup& model_;
+  const Atlas::Source_textures& source_;
+  Atlas::Execution execution_;
+};
+
+/// What the model shows: its baked colours or texture, or a checkerboard on every page.
+Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& model, const Baker& bake)
+{
+  for (const Bake what : {Bake::texture, Bake::colors})
+    if (options.has(what))
+      return bake(what);
+  const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
+  const Atlas::Image board = Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
+  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png"};
+}
+
+/// The pictures of several pages have the number of their tile in their name.
+void add_textures(Outputs& outputs, const fs::path& output, const std::vector<std::string>& pngs,
+                  const std::string& suffix)
+{
+  const auto pages = static_cast<Atlas::Index>(pngs.size());
+  for (Atlas::Index page = 0; page < pages; ++page) {
+    const std::string name = beside(output, suffix).filename().string();
+    outputs.add(output.parent_path() / Atlas::page_file_name(name, page, pages), pngs[page]);
+  }
+}
+
+std::vector<std::string> pngs_of(const Textures& textures)
+{
+  std::vector<std::string> pngs;
+  for (const Atlas::Image& image : textures.pages)
+    pngs.push_back(Atlas::png_bytes(image));
+  return pngs;
+}
+
+/// The model in the format that its extension names, with its texture.
+void add_model(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
+               const Textures& textures)
+{
+  const fs::path output = options.output;
+  const std::vector<std::string> pngs = pngs_of(textures);
+  if (output.extension() == ".glb") {
+    outputs.add(output, Atlas::glb_bytes(model, pngs));
+    return;
+  }
+  const std::string picture = beside(output, textures.suffix).filename().string();
+  if (output.extension() == ".ply") {
+    outputs.add(output, Atlas::ply_bytes(model, picture));
+  } else {
+    const fs::path library = beside(output, ".mtl");
+    outputs.add(output, Atlas::obj_text(model, library.filename().string()));
+    outputs.add(library, Atlas::mtl_text(model, picture));
+  }
+  add_textures(outputs, output, pngs, textures.suffix);
+}
+
+/// Several pages are shown side by side.
+void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
+                  const Textures& textures, const Atlas::Atlas_report& report)
+{
+  const fs::path output = options.output;
+  const std::vector<double> stretch =
+      Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
+  const Atlas::Polygon_soup sheet = Atlas::sheet_of_pages(model);
+  const std::vector<Atlas::Index>& culprits = report.certificate.culprits;
+  Atlas::Report_pictures pictures;
+  pictures.page = Atlas::draw_atlas(sheet, report.face_chart, 1024, culprits);
+  pictures.stretch = Atlas::draw_stretch(sheet, stretch);
+  pictures.view = Atlas::render_model(sheet, Atlas::sheet_of_images(textures.pages));
+  outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
+  outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
+  outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
+  outputs.add(beside(output, ".html"),
+              Atlas::html_report(sheet, report, pictures, fs::path(options.mesh).filename().string()));
+  if (!options.picture.empty()) {
+    const Atlas::Image page = Atlas::draw_atlas(sheet, report.face_chart, pictures.view.height, culprits);
+    outputs.add(options.picture, Atlas::png_bytes(side_by_side(page, pictures.view)));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
+                                       const Atlas::Atlas_report& report,
+                                       const Atlas::Source_textures& source)
+{
+  Outputs outputs;
+  const fs::path output = options.output;
+  const bool is_device = fs::exists(output) && !fs::is_regular_file(output); // then nothing lies beside it
+  if (is_device) {
+    outputs.add(output, Atlas::obj_text(model, ""));
+  } else {
+    const Baker bake(options, model, source);
+    const Textures textures = texture_of_model(options, model, bake);
+    if (options.has(Bake::colors))
+      model.colors.clear(); // they are in the texture now
+    add_model(outputs, options, model, textures);
+    for (const Bake what : {Bake::normals, Bake::occlusion})
+      if (options.has(what)) {
+        const Textures further = bake(what);
+        add_textures(outputs, output, pngs_of(further), further.suffix);
+      }
+    add_pictures(outputs, options, model, textures, report);
+  }
+  Atlas::Json json = {{"mesh", options.mesh}, {"vertices", model.points.size()}};
+  json.update(to_json(report));
+  if (!is_device || !options.report.empty())
+    outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
+                Atlas::json_text(json));
+  return outputs.commit();
+}
