@@ -8,10 +8,13 @@
 #include <Atlas/measure/area.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/Seam_surroundings.h>
 #include <Atlas/segmentation/internal/trial_of_chart.h>
 #include <Atlas/segmentation/merge_charts.h>
 #include <Atlas/segmentation/smooth_borders.h>
 
+#include <array>
+#include <numeric>
 #include <utility>
 
 namespace Atlas {
@@ -51,15 +54,34 @@ public:
       smooth_borders(surface, segmentation, smoothing, execution);
     if (!execution.is_cancelled())
       merge_charts(surface, segmentation, options_, parameterizer_, optimizer_, execution);
-    const double area = area_3d(surface);
-    if (options_.are_borders_smoothed)
-      for (smoothing.rings = 4; smoothing.rings > 1 && !execution.is_cancelled(); smoothing.rings /= 2)
-        smooth_borders(surface, segmentation, smoothing, execution,
-                       [&](const Chart& a, const Chart& b) { return is_kept(a, area) && is_kept(b, area); });
+    if (options_.are_borders_smoothed && !execution.is_cancelled())
+      smooth_within_bound(surface, segmentation, execution);
     return segmentation;
   }
 
 private:
+  /// How far borders move at a time, in rings of triangles.
+  static constexpr std::array smoothing_rings{8, 4, 2};
+  /// Charts have about so many triangles when they are flattened to see whether smoothing keeps the bound.
+  static constexpr double triangles_of_smoothed_charts = 400;
+
+  void smooth_within_bound(const Surface& surface, Segmentation& segmentation,
+                           const Execution& execution) const
+  {
+    const int reach = std::accumulate(smoothing_rings.begin(), smoothing_rings.end(), 1);
+    internal::Seam_surroundings around(surface, segmentation, reach, triangles_of_smoothed_charts);
+    Smoothing_options options;
+    internal::Segmentation_smoother smoother(around.surface(), around.segmentation(), around.limits(),
+                                             options);
+    const double area = area_3d(surface);
+    for (const int rings : smoothing_rings)
+      if (execution.proceed(0.9))
+        smoother.run_round(rings, execution, [&](const Chart& a, const Chart& b) {
+          return is_kept(a, area) && is_kept(b, area);
+        });
+    around.write_back(segmentation);
+  }
+
   bool is_kept(const Chart& chart, double whole_area) const
   {
     const Execution alone; // charts are tried side by side, each on one thread

@@ -10,10 +10,54 @@
 #include <Atlas/segmentation/internal/Chart_arcs.h>
 #include <Atlas/segmentation/internal/Chart_merger.h>
 #include <Atlas/segmentation/internal/Coarse_surface.h>
+#include <Atlas/segmentation/internal/Seam_costs.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
+
+namespace internal {
+
+/// Per arc, what a seam costs there per length, on average.
+inline std::vector<double> arc_weights(const Surface& surface, const Chart_arcs& arcs)
+{
+  std::vector<double> cost(arcs.number_of_arcs(), 0), length(arcs.number_of_arcs(), 0);
+  for (Index h = 0; h < arcs.side.size(); ++h)
+    if (arcs.side[h] != no_index) {
+      const bool is_unwanted =
+          !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam;
+      const double l = edge_length(surface, h);
+      length[arcs.side[h] / 2] += l;
+      cost[arcs.side[h] / 2] += l * wanted_cost(surface, h) * (is_unwanted ? penalty_of_unwanted_seams : 1);
+    }
+  for (Index a = 0; a < cost.size(); ++a)
+    cost[a] = length[a] > 0 ? cost[a] / length[a] : 1;
+  return cost;
+}
+
+/// Merges in several orders and returns the merger with the shortest seams of those that come nearest to the
+/// number of charts that is asked for.
+template <typename Merger>
+Merger best_merger(const Merger& unmerged, const Merge_options& options, const Execution& execution)
+{
+  constexpr std::array orders{Merge_order::by_smaller_perimeter, Merge_order::by_mean_perimeter,
+                              Merge_order::by_smaller_area, Merge_order::by_length,
+                              Merge_order::by_larger_perimeter};
+  std::vector<Merger> mergers(std::clamp<std::size_t>(options.orders, 1, orders.size()), unmerged);
+  execution.for_each(mergers.size(), [&](std::size_t i) { mergers[i].run(orders[i]); });
+  const auto score = [&](const Merger& m) {
+    const std::size_t charts = m.number_of_charts();
+    return std::pair(options.max_charts > 0 ? std::max(charts, options.max_charts) : 0, m.seam_length());
+  };
+  return *std::min_element(mergers.begin(), mergers.end(),
+                           [&](const Merger& a, const Merger& b) { return score(a) < score(b); });
+}
+
+} // namespace internal
 
 /// \brief Merges adjacent charts while the union is a disc that can be flattened within a bound.
 ///
@@ -39,8 +83,9 @@ void merge_charts(const Surface& surface, Segmentation& segmentation, const Merg
     const Chart_status status = parameterizer.parameterize(chart, alone);
     return status == Chart_status::valid ? optimizer.optimize(chart, alone) : status;
   };
-  internal::Chart_merger merger(coarse, arcs, segmentation.number_of_charts, options, flatten, execution);
-  merger.run();
+  const internal::Chart_merger unmerged(coarse, arcs, internal::arc_weights(surface, arcs),
+                                        segmentation.number_of_charts, options, flatten, execution);
+  internal::Chart_merger merger = internal::best_merger(unmerged, options, execution);
 
   std::vector<Index> number(segmentation.number_of_charts, no_index);
   segmentation.number_of_charts = 0;

@@ -13,7 +13,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,64 +40,136 @@ struct Accept_all
 
 namespace internal {
 
-/// What a seam costs along each edge: its length, less at sharp edges, much more where there should be none.
-inline std::vector<float> seam_costs(const Surface& surface, const Smoothing_options& options)
+/// The border between two charts: halfedges on the side of the first one.
+struct Chart_border
 {
-  const std::vector<Vector_3> normals = face_normals(surface);
-  double longest = 0;
+  std::array<Index, 2> pair;
+  std::vector<Index> halfedges;
+};
+
+/// The borders between neighbouring charts, those with the most edges first.
+inline std::vector<Chart_border> borders_of_charts(const Surface& surface, const Segmentation& segmentation,
+                                                   const Smoothing_limits& limits)
+{
+  std::vector<std::array<Index, 3>> edges; // chart, chart, halfedge
   for (Index h = 0; h < surface.opposite.size(); ++h)
-    longest = std::max(longest, edge_length(surface, h));
-  std::vector<float> cost(surface.opposite.size(), 0);
-  for (Index h = 0; h < cost.size(); ++h) {
-    const Index o = surface.opposite[h];
-    if (o == no_index || o < h)
-      continue;
-    const double sharp = std::min(1., angle_between(normals[h / 3], normals[o / 3]) / options.sharp_angle);
-    const double length = longest > 0 ? edge_length(surface, h) / longest : 0;
-    const double penalty = must_not_cut(surface, h) ? cut_penalty_of_no_seam : 1;
-    cost[h] = cost[o] = static_cast<float>(length * (1 - options.sharp_discount * sharp) * penalty);
+    if (limits.is_open[h])
+      if (const Index a = segmentation.chart[h / 3], b = segmentation.chart[surface.opposite[h] / 3]; a < b)
+        edges.push_back({a, b, h});
+  std::sort(edges.begin(), edges.end());
+  std::vector<Chart_border> borders;
+  for (const auto& [a, b, h] : edges) {
+    if (borders.empty() || borders.back().pair != std::array{a, b})
+      borders.push_back({{a, b}, {}});
+    borders.back().halfedges.push_back(h);
   }
-  return cost;
+  std::stable_sort(borders.begin(), borders.end(), [](const Chart_border& a, const Chart_border& b) {
+    return a.halfedges.size() > b.halfedges.size();
+  });
+  return borders;
 }
 
-/// Pairs of charts with a common border, those with the most edges first.
-inline std::vector<std::array<Index, 2>> neighboring_charts(const Surface& surface,
-                                                            const Segmentation& segmentation)
-{
-  std::map<std::array<Index, 2>, std::size_t> edges;
-  for (Index h = 0; h < surface.opposite.size(); ++h) {
-    if (!may_cross(surface, h))
-      continue;
-    const Index a = segmentation.chart[h / 3], b = segmentation.chart[surface.opposite[h] / 3];
-    if (a < b)
-      ++edges[{a, b}];
-  }
-  std::vector<std::pair<std::size_t, std::array<Index, 2>>> sorted;
-  for (const auto& [pair, count] : edges)
-    sorted.emplace_back(count, pair);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::array<Index, 2>> pairs;
-  for (const auto& [count, pair] : sorted)
-    pairs.push_back(pair);
-  return pairs;
-}
-
-/// Takes as many pairs out of the list as can be worked on at once, in order.
-inline std::vector<std::array<Index, 2>> take_independent_pairs(std::vector<std::array<Index, 2>>& pairs,
-                                                                Index number_of_charts)
+/// Takes as many borders out of the list as can be worked on at once, in order.
+inline std::vector<Chart_border> take_independent(std::vector<Chart_border>& borders, Index number_of_charts)
 {
   std::vector<std::uint8_t> is_busy(number_of_charts, 0);
-  std::vector<std::array<Index, 2>> taken, left;
-  for (const auto& pair : pairs) {
-    const bool is_free = !is_busy[pair[0]] && !is_busy[pair[1]];
-    (is_free ? taken : left).push_back(pair);
-    if (is_free)
-      is_busy[pair[0]] = is_busy[pair[1]] = 1;
+  std::vector<Chart_border> taken, left;
+  for (Chart_border& border : borders) {
+    const bool is_free = !is_busy[border.pair[0]] && !is_busy[border.pair[1]];
+    is_busy[border.pair[0]] |= is_free;
+    is_busy[border.pair[1]] |= is_free;
+    (is_free ? taken : left).push_back(std::move(border));
   }
-  pairs.swap(left);
+  borders.swap(left);
   return taken;
 }
+
+/// Clears the marks of cuts between different charts; triangles at a cut inside a chart stay where they are,
+/// or the cut would lose its end.
+inline Smoothing_limits smoothing_limits(const Surface& surface, Segmentation& segmentation)
+{
+  std::vector<std::uint8_t> is_at_cut(surface.points.size(), 0);
+  Smoothing_limits limits;
+  limits.is_open.resize(surface.opposite.size());
+  for (Index h = 0; h < surface.opposite.size(); ++h) {
+    const Index o = surface.opposite[h];
+    if (o == no_index)
+      continue;
+    if (segmentation.chart[h / 3] != segmentation.chart[o / 3])
+      segmentation.cut[h] = 0;
+    else if (segmentation.cut[h])
+      is_at_cut[surface.triangles[h / 3][h % 3]] = is_at_cut[surface.triangles[h / 3][next_halfedge(h) % 3]] =
+          1;
+    limits.is_open[h] = !segmentation.cut[h] && may_cross(surface, h);
+  }
+  for (const auto& [a, b, c] : surface.triangles)
+    limits.is_stuck.push_back(is_at_cut[a] || is_at_cut[b] || is_at_cut[c]);
+  return limits;
+}
+
+/// \brief Moves the borders of a segmentation, each once a round.
+class Segmentation_smoother
+{
+public:
+  Segmentation_smoother(const Surface& surface, Segmentation& segmentation, const Smoothing_limits& limits,
+                        const Smoothing_options& options)
+      : surface_(surface), segmentation_(segmentation), limits_(limits),
+        costs_(surface, options.sharp_angle, options.sharp_discount), scratch_(surface.number_of_triangles()),
+        sizes_(segmentation.number_of_charts, 0)
+  {
+    for (const Index c : segmentation.chart)
+      ++sizes_[c];
+  }
+
+  /// Returns how many borders moved.
+  template <typename Keep>
+  std::size_t run_round(int rings, const Execution& execution, const Keep& keep)
+  {
+    constexpr std::size_t work_per_triangle = 64;
+    std::size_t moved = 0, work = work_per_triangle * surface_.number_of_triangles();
+    std::vector<Chart_border> borders = borders_of_charts(surface_, segmentation_, limits_);
+    while (!borders.empty() && !execution.is_cancelled()) {
+      std::vector<Chart_border> batch = take_independent(borders, segmentation_.number_of_charts);
+      std::erase_if(batch, [&](const Chart_border& border) {
+        const std::size_t needed = sizes_[border.pair[0]] + sizes_[border.pair[1]];
+        work -= std::min(work, needed);
+        return work == 0;
+      });
+      std::vector<std::vector<Index>> changes(batch.size());
+      execution.for_each(batch.size(), [&](std::size_t i) {
+        const auto [a, b] = batch[i].pair;
+        Border_smoother smoother(surface_, costs_, limits_, segmentation_.chart, {a, b},
+                                 {sizes_[a], sizes_[b]}, scratch_, stamp_ + static_cast<Index>(2 * i));
+        if (!smoother.run(batch[i].halfedges, rings))
+          return;
+        if constexpr (!std::is_same_v<Keep, Accept_all>)
+          if (!keep(smoother.chart(0), smoother.chart(1)))
+            return;
+        changes[i] = smoother.changed();
+      });
+      stamp_ += static_cast<Index>(2 * batch.size());
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        moved += !changes[i].empty();
+        for (const Index t : changes[i]) {
+          Index& chart = segmentation_.chart[t];
+          --sizes_[chart];
+          chart = batch[i].pair[chart == batch[i].pair[0]];
+          ++sizes_[chart];
+        }
+      }
+    }
+    return moved;
+  }
+
+private:
+  const Surface& surface_;
+  Segmentation& segmentation_;
+  const Smoothing_limits& limits_;
+  Seam_costs costs_;
+  Smoothing_scratch scratch_;
+  std::vector<std::size_t> sizes_; ///< per chart: its triangles
+  Index stamp_ = 1;
+};
 
 } // namespace internal
 
@@ -121,41 +193,11 @@ requires std::predicate<const Keep&, const Chart&, const Chart&> std::size_t
 smooth_borders(const Surface& surface, Segmentation& segmentation, const Smoothing_options& options = {},
                const Execution& execution = Execution(), const Keep& keep = {})
 {
-  constexpr std::size_t work_per_triangle = 64;
-  for (Index h = 0; h < surface.opposite.size(); ++h)
-    if (const Index o = surface.opposite[h];
-        o != no_index && segmentation.chart[h / 3] != segmentation.chart[o / 3])
-      segmentation.cut[h] = 0;
-  const std::vector<float> cost = internal::seam_costs(surface, options);
-  internal::Smoothing_scratch scratch(surface.number_of_triangles());
-  std::vector<std::vector<Index>> lists = triangles_of_charts(segmentation);
+  const internal::Smoothing_limits limits = internal::smoothing_limits(surface, segmentation);
+  internal::Segmentation_smoother smoother(surface, segmentation, limits, options);
   std::size_t moved = 0;
   for (int round = 0; round < options.rounds; ++round) {
-    auto pairs = internal::neighboring_charts(surface, segmentation);
-    std::size_t work = work_per_triangle * surface.number_of_triangles();
-    while (!pairs.empty() && !execution.is_cancelled()) {
-      auto batch = internal::take_independent_pairs(pairs, segmentation.number_of_charts);
-      std::erase_if(batch, [&](const auto& pair) {
-        const std::size_t needed = lists[pair[0]].size() + lists[pair[1]].size();
-        work -= std::min(work, needed);
-        return work == 0;
-      });
-      std::vector<std::array<std::vector<Index>, 2>> changes(batch.size());
-      execution.for_each(batch.size(), [&](std::size_t i) {
-        internal::Border_smoother smoother(surface, segmentation, cost, lists[batch[i][0]],
-                                           lists[batch[i][1]], scratch);
-        if (smoother.run(options.rings) && keep(internal::chart_of_piece(surface, smoother.piece(0)),
-                                                internal::chart_of_piece(surface, smoother.piece(1))))
-          changes[i] = {smoother.triangles(0), smoother.triangles(1)};
-      });
-      for (std::size_t i = 0; i < batch.size(); ++i)
-        for (int side = 0; side < 2 && !changes[i][0].empty(); ++side) {
-          moved += side;
-          lists[batch[i][side]] = changes[i][side];
-          for (const Index t : changes[i][side])
-            segmentation.chart[t] = batch[i][side];
-        }
-    }
+    moved += smoother.run_round(options.rings, execution, keep);
     if (!execution.proceed(double(round + 1) / options.rounds))
       break;
   }

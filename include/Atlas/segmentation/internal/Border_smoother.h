@@ -4,10 +4,9 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Disc_cutter.h>
 #include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/segmentation/internal/Seam_costs.h>
 #include <Atlas/segmentation/internal/minimum_cut.h>
-#include <Atlas/segmentation/internal/triangle_geometry.h>
 #include <Atlas/segmentation/internal/whole_surface.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,175 +34,359 @@ inline Chart chart_of_piece(const Surface& surface, const Piece& piece)
   return chart;
 }
 
-inline bool is_disc(const Piece& piece)
+/// \brief Where borders may run and what stays where it is, for a whole surface.
+struct Smoothing_limits
 {
-  return !piece.triangles.empty() && piece.euler() == 1 && piece.number_of_border_loops() == 1 &&
-         connected_parts(piece).size() == 1 && ambiguous_triangles(piece).empty();
-}
+  std::vector<std::uint8_t> is_open;  ///< per halfedge: triangles may be glued there
+  std::vector<std::uint8_t> is_stuck; ///< per triangle: it never changes sides
+};
 
 /// Scratch of the smoother, per triangle of the surface. Pairs of charts that have none in common can use one
 /// at the same time.
 struct Smoothing_scratch
 {
-  explicit Smoothing_scratch(std::size_t triangles) : slot(triangles), local(triangles) {}
-  std::vector<Index> slot, local;
+  explicit Smoothing_scratch(std::size_t triangles)
+      : node(triangles, 0), stamp(triangles, 0), local(triangles)
+  {}
+  std::vector<Index> node, stamp, local;
 };
 
 /// \brief Moves the border between two charts to the cheapest place in a band around it.
 ///
 /// The triangles of the band become nodes, the edges between them links as strong as a seam there is
-/// expensive, and the triangles beside the band stay what they are: a minimum cut is the best border.
+/// expensive, and the triangles beside the band stay what they are: a minimum cut is the best border. Whether
+/// the charts stay discs is told by what changes around the triangles that changed sides; only that they hang
+/// together needs a look at all of them.
 class Border_smoother
 {
 public:
-  /// \param cost  per halfedge of the surface: what a seam there costs
-  Border_smoother(const Surface& surface, const Segmentation& segmentation, const std::vector<float>& cost,
-                  const std::vector<Index>& a, const std::vector<Index>& b, Smoothing_scratch& scratch)
-      : surface_(surface), segmentation_(segmentation),
-        cost_(cost), charts_{segmentation.chart[a.front()], segmentation.chart[b.front()]}, triangles_(a),
-        scratch_(scratch)
-  {
-    triangles_.insert(triangles_.end(), b.begin(), b.end());
-    std::sort(triangles_.begin(), triangles_.end());
-    for (Index i = 0; i < triangles_.size(); ++i) {
-      scratch_.slot[triangles_[i]] = i;
-      side_.push_back(segmentation.chart[triangles_[i]] == charts_[1]);
-    }
-  }
+  /// \param chart  per triangle
+  /// \param pair   the two charts, which are discs
+  /// \param stamp  two numbers that nobody else has used with this scratch, this and the next one
+  Border_smoother(const Surface& surface, const Seam_costs& costs, const Smoothing_limits& limits,
+                  const std::vector<Index>& chart, std::array<Index, 2> pair,
+                  std::array<std::size_t, 2> sizes, Smoothing_scratch& scratch, Index stamp)
+      : surface_(surface), costs_(costs), limits_(limits), chart_(chart), pair_(pair), sizes_(sizes),
+        scratch_(scratch), stamp_(stamp)
+  {}
 
   /// Whether there is a cheaper border than the present one at most `rings` rings of triangles away with
-  /// which both charts are discs.
-  bool run(int rings)
+  /// which both charts are discs. `border` has the halfedges between the charts, on either side.
+  bool run(std::span<const Index> border, int rings)
   {
-    find_band(rings);
-    return !band_.empty() && find_cheapest_border() && is_disc(piece(0)) && is_disc(piece(1));
+    find_band(border, rings);
+    return !band_.empty() && find_cheapest_border() && keeps_euler() && is_connected(0) && is_connected(1);
   }
 
-  /// The triangles of one chart after run().
-  std::vector<Index> triangles(int side) const
-  {
-    std::vector<Index> result;
-    for (Index i = 0; i < triangles_.size(); ++i)
-      if (side_[i] == side)
-        result.push_back(triangles_[i]);
-    return result;
-  }
+  /// After run(): the triangles that change sides.
+  const std::vector<Index>& changed() const { return changed_; }
 
-  /// One chart after run().
-  Piece piece(int side)
+  /// After run(): one of the charts.
+  Chart chart(int side)
   {
-    return make_piece(
-        surface_, triangles(side),
-        [&](Index h) { return is_open(h) && side_of(h) == side_of(surface_.opposite[h]); }, scratch_.local);
+    std::vector<Index> triangles = reached_[side];
+    std::sort(triangles.begin(), triangles.end());
+    const Piece piece = make_piece(
+        surface_, std::move(triangles), [&](Index h) { return is_glued(h); }, scratch_.local);
+    return chart_of_piece(surface_, piece);
   }
 
 private:
-  std::uint8_t side_of(Index h) const { return side_[scratch_.slot[h / 3]]; }
-
-  /// Whether both sides of the edge are in these two charts and no cut runs there.
-  bool is_open(Index h) const
+  Index node_of(Index t) const
   {
-    const Index o = surface_.opposite[h];
-    return may_cross(surface_, h) && !segmentation_.cut[h] &&
-           (segmentation_.chart[o / 3] == charts_[0] || segmentation_.chart[o / 3] == charts_[1]);
+    const Index n = scratch_.node[t];
+    return n < band_.size() && band_[n] == t ? n : no_index;
+  }
+  std::uint8_t old_side(Index t) const { return chart_[t] == pair_[1]; }
+  std::uint8_t side(Index t) const
+  {
+    const Index n = node_of(t);
+    return n != no_index ? side_[n] : old_side(t);
   }
 
-  /// Triangles that may change sides: near the border, and not at a cut inside a chart, which would lose its
-  /// end.
-  void find_band(int rings)
+  /// Whether both sides of the edge are in these two charts and may be glued.
+  bool is_link(Index h) const
   {
-    std::vector<Index> ends_of_cuts;
-    std::vector<Index> front;
-    node_.assign(triangles_.size(), no_index);
-    std::vector<std::uint8_t> is_seen(triangles_.size(), 0);
-    for (Index i = 0; i < triangles_.size(); ++i)
-      for (Index h = 3 * triangles_[i]; h < 3 * triangles_[i] + 3; ++h) {
-        if (surface_.opposite[h] != no_index && segmentation_.cut[h]) {
-          ends_of_cuts.push_back(surface_.triangles[h / 3][h % 3]);
-          ends_of_cuts.push_back(surface_.triangles[h / 3][(h + 1) % 3]);
-        }
-        if (!is_seen[i] && is_open(h) && side_of(h) != side_of(surface_.opposite[h])) {
-          is_seen[i] = 1;
-          front.push_back(i);
-        }
-      }
-    std::sort(ends_of_cuts.begin(), ends_of_cuts.end());
-    const auto is_at_cut = [&](Index i) {
-      const auto& corners = surface_.triangles[triangles_[i]];
-      return std::any_of(corners.begin(), corners.end(), [&](Index v) {
-        return std::binary_search(ends_of_cuts.begin(), ends_of_cuts.end(), v);
-      });
+    if (!limits_.is_open[h])
+      return false;
+    const Index c = chart_[surface_.opposite[h] / 3];
+    return c == pair_[0] || c == pair_[1];
+  }
+  bool is_glued(Index h) const { return is_link(h) && side(h / 3) == side(surface_.opposite[h] / 3); }
+
+  /// Triangles that may change sides.
+  void find_band(std::span<const Index> border, int rings)
+  {
+    std::vector<Index> front, beyond;
+    const auto reach = [&](Index t, std::vector<Index>& list) {
+      if (scratch_.stamp[t] == stamp_)
+        return;
+      scratch_.stamp[t] = stamp_;
+      list.push_back(t);
     };
+    const auto is_of_pair = [&](Index t) { return chart_[t] == pair_[0] || chart_[t] == pair_[1]; };
+    for (const Index h : border)
+      if (is_of_pair(h / 3) && is_link(h) && old_side(h / 3) != old_side(surface_.opposite[h] / 3)) {
+        reach(h / 3, front);
+        reach(surface_.opposite[h] / 3, front);
+      }
     for (int step = 0; step < 2 * rings; ++step) {
-      std::vector<Index> beyond;
-      for (const Index i : front) {
-        if (!is_at_cut(i)) {
-          node_[i] = static_cast<Index>(band_.size());
-          band_.push_back(i);
+      beyond.clear();
+      for (const Index t : front) {
+        if (!limits_.is_stuck[t]) {
+          scratch_.node[t] = static_cast<Index>(band_.size());
+          band_.push_back(t);
         }
-        for (Index h = 3 * triangles_[i]; h < 3 * triangles_[i] + 3; ++h)
-          if (is_open(h)) {
-            const Index j = scratch_.slot[surface_.opposite[h] / 3];
-            if (!is_seen[j]) {
-              is_seen[j] = 1;
-              beyond.push_back(j);
-            }
-          }
+        for (Index h = 3 * t; h < 3 * t + 3; ++h)
+          if (is_link(h))
+            reach(surface_.opposite[h] / 3, beyond);
       }
       front.swap(beyond);
     }
+    for (const Index t : band_)
+      side_.push_back(old_side(t));
   }
 
   /// Whole numbers, relative to the largest cost in the band; an edge that cannot be a seam costs more than
   /// all others together.
-  std::int64_t capacity(Index h, double largest) const
+  static std::int64_t capacity(const Seam_costs::Cost& cost, double largest)
   {
     constexpr double steps = 1e6;
-    constexpr std::int64_t never = std::int64_t(1) << 50;
-    if (surface_.is_diagonal(h))
+    constexpr std::int64_t never = std::int64_t(1) << 42;
+    if (cost.is_impossible)
       return never;
-    return largest > 0 ? 1 + static_cast<std::int64_t>(steps * (static_cast<double>(cost_[h]) / largest)) : 1;
+    const double share = largest > 0 ? cost.cost / largest : 0;
+    return 1 + static_cast<std::int64_t>(std::min(steps * share * cost.penalty, double(never / 2)));
   }
 
   bool find_cheapest_border()
   {
+    struct Link
+    {
+      Index node, other;
+      Seam_costs::Cost cost;
+      bool is_border;
+    };
+    std::vector<Link> links;
     double largest = 0;
-    for (const Index i : band_)
-      for (Index h = 3 * triangles_[i]; h < 3 * triangles_[i] + 3; ++h)
-        if (std::isfinite(cost_[h]))
-          largest = std::max(largest, static_cast<double>(cost_[h]));
-    Minimum_cut cut(band_.size());
-    std::int64_t before = 0;
-    for (Index n = 0; n < band_.size(); ++n) {
-      const Index t = triangles_[band_[n]];
-      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-        if (!is_open(h))
+    for (Index n = 0; n < band_.size(); ++n)
+      for (Index h = 3 * band_[n]; h < 3 * band_[n] + 3; ++h) {
+        if (!is_link(h))
           continue;
-        const Index o = surface_.opposite[h], m = node_[scratch_.slot[o / 3]];
+        const Index o = surface_.opposite[h], m = node_of(o / 3);
         if (m != no_index && m < n)
           continue;
-        const std::int64_t c = capacity(h, largest);
-        cut.connect(n, m != no_index ? m : band_.size() + side_of(o), c);
-        before += side_of(h) != side_of(o) ? c : 0;
+        const Seam_costs::Cost cost = costs_(h);
+        if (!cost.is_impossible && std::isfinite(cost.cost))
+          largest = std::max(largest, cost.cost);
+        links.push_back({n, m != no_index ? m : static_cast<Index>(band_.size()) + old_side(o / 3), cost,
+                         side_[n] != old_side(o / 3)});
       }
+    Minimum_cut cut(band_.size());
+    std::int64_t before = 0;
+    for (const Link& link : links) {
+      const std::int64_t c = capacity(link.cost, largest);
+      cut.connect(link.node, link.other, c);
+      before += link.is_border ? c : 0;
     }
     // A gain of less than a thousandth is not worth a change.
     if (cut.run() >= before - before / 1000)
       return false;
     for (Index n = 0; n < band_.size(); ++n)
-      side_[band_[n]] = !cut.is_on_first_side(n);
+      if (const std::uint8_t now = !cut.is_on_first_side(n); now != side_[n]) {
+        side_[n] = now;
+        changed_.push_back(band_[n]);
+      }
+    return !changed_.empty();
+  }
+
+  // --- Topology
+
+  /// The corners around one, counterclockwise, as far as the two charts reach, and whether they go all
+  /// around.
+  bool corners_around(Index h, std::vector<Index>& corners) const
+  {
+    bool is_closed = false;
+    Index first = h;
+    while (is_link(first) && !is_closed) {
+      first = next_halfedge(surface_.opposite[first]);
+      is_closed = first == h;
+    }
+    corners.clear();
+    for (Index g = first;;) {
+      corners.push_back(g);
+      const Index before = previous_halfedge(g);
+      if (!is_link(before) || (is_closed && surface_.opposite[before] == first))
+        return is_closed;
+      g = surface_.opposite[before];
+    }
+  }
+
+  /// Vertices - edges + triangles of both charts change by nothing, and no two edges get the same ends.
+  bool keeps_euler() const
+  {
+    std::array<long long, 2> euler{0, 0};
+    std::vector<Index> around, starts;
+    for (const Index t : changed_) {
+      const std::uint8_t now = side(t);
+      ++euler[now];
+      --euler[!now];
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        count_edge(h, euler);
+        const bool is_closed = corners_around(h, around);
+        starts.push_back(is_closed ? *std::min_element(around.begin(), around.end()) : around.front());
+      }
+    }
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    for (const Index start : starts) {
+      const bool is_closed = corners_around(start, around);
+      count_fans(around, is_closed, euler);
+      if (!is_unambiguous(around, is_closed))
+        return false;
+    }
+    return euler[0] == 0 && euler[1] == 0;
+  }
+
+  /// An edge between both charts is one of either.
+  void count_edge(Index h, std::array<long long, 2>& euler) const
+  {
+    const std::uint8_t now = side(h / 3);
+    if (!is_link(h)) {
+      --euler[now];
+      ++euler[!now];
+      return;
+    }
+    const Index n = surface_.opposite[h] / 3;
+    if (side(n) != old_side(n) && n < h / 3)
+      return;
+    const auto count = [&](std::uint8_t s, std::uint8_t r, int sign) {
+      euler[s] -= sign;
+      if (s != r)
+        euler[r] -= sign;
+    };
+    count(!now, old_side(n), -1);
+    count(now, side(n), 1);
+  }
+
+  /// A vertex of a chart is a run of corners of one side.
+  void count_fans(const std::vector<Index>& around, bool is_closed, std::array<long long, 2>& euler) const
+  {
+    const auto count = [&](auto side_at, int sign) {
+      bool has_start = false;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const std::uint8_t s = side_at(around[i] / 3);
+        const bool is_start =
+            i > 0 ? s != side_at(around[i - 1] / 3) : !is_closed || s != side_at(around.back() / 3);
+        euler[s] += is_start ? sign : 0;
+        has_start = has_start || is_start;
+      }
+      if (!has_start)
+        euler[side_at(around.front() / 3)] += sign;
+    };
+    count([&](Index t) { return old_side(t); }, -1);
+    count([&](Index t) { return side(t); }, 1);
+  }
+
+  /// Whether the edges of each vertex of a chart here lead to different vertices, and none back to it.
+  bool is_unambiguous(const std::vector<Index>& around, bool is_closed) const
+  {
+    const std::size_t n = around.size();
+    std::vector<Index> ends; // corners at the other ends of the edges of one vertex, and the vertex itself
+    const auto goes_on = [&](std::size_t i) {
+      return (i + 1 < n || is_closed) && side(around[i] / 3) == side(around[(i + 1) % n] / 3);
+    };
+    std::size_t start = 0; // with a vertex, if there is more than one
+    while (start + 1 < n && is_closed && goes_on((start + n - 1) % n))
+      ++start;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = (start + k) % n;
+      if (ends.empty())
+        ends.push_back(around[i]);
+      ends.push_back(next_halfedge(around[i]));
+      if (goes_on(i) && k + 1 < n)
+        continue;
+      if (!goes_on(i))
+        ends.push_back(previous_halfedge(around[i]));
+      if (!are_different(ends))
+        return false;
+      ends.clear();
+    }
     return true;
   }
 
+  bool are_different(const std::vector<Index>& corners) const
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (surface_.point(corners[i]) == surface_.point(corners[j]) && fan(corners[i]) == fan(corners[j]))
+          return false;
+    return true;
+  }
+
+  /// A name of the vertex of a chart that the corner belongs to.
+  Index fan(Index h) const
+  {
+    Index least = h, g = h;
+    while (is_glued(g)) {
+      g = next_halfedge(surface_.opposite[g]);
+      if (g == h)
+        return least;
+      least = std::min(least, g);
+    }
+    return g;
+  }
+
+  /// Whether one of the charts hangs together; remembers its triangles.
+  bool is_connected(std::uint8_t wanted)
+  {
+    std::size_t size = sizes_[wanted];
+    for (const Index t : changed_)
+      size += side(t) == wanted ? 1 : std::size_t(-1);
+    std::vector<Index>& reached = reached_[wanted];
+    reached.clear();
+    reached.reserve(size);
+    const Index stamp = stamp_ + 1; // of both charts: they have no triangle in common
+    const auto reach = [&](Index t) {
+      if (scratch_.stamp[t] != stamp) {
+        scratch_.stamp[t] = stamp;
+        reached.push_back(t);
+      }
+    };
+    if (const Index start = start_of(wanted); start != no_index)
+      reach(start);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
+        if (is_glued(h))
+          reach(surface_.opposite[h] / 3);
+    return size > 0 && reached.size() == size;
+  }
+
+  /// A triangle of the chart beside the border, if it has any.
+  Index start_of(std::uint8_t wanted) const
+  {
+    for (const Index t : band_)
+      if (side(t) == wanted)
+        return t;
+    for (const Index t : band_)
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (is_link(h) && side(surface_.opposite[h] / 3) == wanted)
+          return surface_.opposite[h] / 3;
+    return no_index;
+  }
+
   const Surface& surface_;
-  const Segmentation& segmentation_;
-  const std::vector<float>& cost_;
-  std::array<Index, 2> charts_;
-  std::vector<Index> triangles_; ///< of both charts, increasing
+  const Seam_costs& costs_;
+  const Smoothing_limits& limits_;
+  const std::vector<Index>& chart_;
+  std::array<Index, 2> pair_;
+  std::array<std::size_t, 2> sizes_;
   Smoothing_scratch& scratch_;
-  std::vector<std::uint8_t> side_; ///< per entry of triangles_: which chart
-  std::vector<Index> band_;        ///< entries of triangles_ that may change sides
-  std::vector<Index> node_;        ///< the reverse
+  Index stamp_;
+  std::vector<Index> band_;        ///< triangles that may change sides
+  std::vector<std::uint8_t> side_; ///< per entry of band_: which chart
+  std::vector<Index> changed_;
+  std::array<std::vector<Index>, 2> reached_; ///< the triangles of both charts
 };
 
 } // namespace Atlas::internal

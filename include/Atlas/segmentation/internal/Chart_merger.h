@@ -22,6 +22,15 @@
 
 namespace Atlas::internal {
 
+/// Which merges go first: those along borders that are long beside ...
+enum class Merge_order {
+  by_smaller_perimeter, ///< ... the perimeter of the smaller chart, which keeps charts alike in size
+  by_mean_perimeter,    ///< ... the geometric mean of both perimeters
+  by_smaller_area,      ///< ... the root of the smaller area
+  by_length,            ///< ... nothing
+  by_larger_perimeter   ///< ... the perimeter of the larger chart, which makes round charts
+};
+
 /// \brief Merges the charts of a coarse surface along runs of arcs.
 ///
 /// The border of each chart is a cyclic list of sides of arcs. Two discs glued along one run of consecutive
@@ -31,30 +40,39 @@ template <typename Flatten>
 class Chart_merger
 {
 public:
-  Chart_merger(const Coarse_surface& surface, const Chart_arcs& arcs, Index charts,
-               const Merge_options& options, const Flatten& flatten, const Execution& execution)
+  /// \param weight  per arc: what its length counts
+  Chart_merger(const Coarse_surface& surface, const Chart_arcs& arcs, const std::vector<double>& weight,
+               Index charts, const Merge_options& options, const Flatten& flatten, const Execution& execution)
       : surface_(surface), options_(options), flatten_(flatten), execution_(execution),
         is_barrier_(arcs.is_barrier), roots_(charts), local_(surface.triangles.size()),
-        place_(surface.triangles.size())
+        place_(surface.triangles.size()), number_of_charts_(charts)
   {
-    take_arcs();
+    take_arcs(weight);
     take_parts(charts);
+    flatten_parts();
   }
 
-  void run()
+  void run(Merge_order order)
   {
-    flatten_parts();
+    order_ = order;
     // One sweep, the slits, and once more what was refused while charts were other ones.
-    for (int sweep = 0; sweep < 2 && execution_.proceed(0.2 + 0.4 * sweep); ++sweep) {
-      is_refused_.assign(is_barrier_.size(), 0);
-      is_refused_alone_.assign(is_barrier_.size(), 0);
-      for (Index p = 0; p < parts_.size(); ++p)
-        if (roots_.find(p) == p)
-          push_runs(p);
-      merge();
+    for (int k = 0; k < 2 && execution_.proceed(0.2 + 0.3 * k); ++k) {
+      sweep();
       zip();
     }
+    merge_past_bound();
   }
+
+  /// The length of all seams inside the surface, as it counts.
+  double seam_length() const
+  {
+    double sum = 0;
+    for (Index a = 0; a < is_barrier_.size(); ++a)
+      if (!is_glued_[a] && owner_[2 * a] != no_index && owner_[2 * a + 1] != no_index)
+        sum += length_[a];
+    return sum;
+  }
+  std::size_t number_of_charts() const { return number_of_charts_; }
 
   Index chart_of(Index chart) { return roots_.find(chart); }
   bool is_glued(Index arc) const { return is_glued_[arc] != 0; }
@@ -92,7 +110,7 @@ private:
 
   // --- Setting up
 
-  void take_arcs()
+  void take_arcs(const std::vector<double>& weight)
   {
     const std::size_t sides = 2 * is_barrier_.size();
     next_.assign(sides, no_index);
@@ -116,6 +134,8 @@ private:
         first_halfedge_[r] = g;
       }
     }
+    for (Index a = 0; a < length_.size(); ++a)
+      length_[a] *= weight[a];
   }
 
   const Point_3& point(Index h) const { return surface_.points[surface_.triangles[h / 3][h % 3]]; }
@@ -242,6 +262,8 @@ private:
     if (a.triangles.size() + b.triangles.size() > options_.max_trial_triangles)
       return false;
     // Gluing hardly fills more of the hull than both fill of theirs.
+    if (is_past_bound())
+      return true;
     const double area = a.area + b.area, filled = (a.solidity * a.area + b.solidity * b.area) / area;
     return !(area > options_.max_area_share * whole_area_ &&
              filled < 0.85 * options_.solidity_of_large_charts) &&
@@ -260,8 +282,10 @@ private:
   bool is_acceptable(const Candidate& c) const
   {
     const Chart& chart = c.layout;
-    if (!is_within_bound(chart, options_))
+    if (!is_within_bound(chart, options_, past_bound_))
       return false;
+    if (is_past_bound())
+      return true;
     std::vector<Border_edge> border;
     for (Index i = 0; i < chart.triangles.size(); ++i) {
       for (Index k = 0; k < 3; ++k)
@@ -323,9 +347,28 @@ private:
   void push(Index s, const std::vector<Index>& run, bool is_single)
   {
     const Part &a = parts_[part_of_side(s)], &b = parts_[part_of_side(s ^ 1)];
-    const double perimeter = std::min(a.perimeter, b.perimeter);
-    const double priority = perimeter > 0 ? length_of(run) / perimeter : 1;
+    if (is_past_bound() && !is_wanted_past_bound(a, b))
+      return;
+    const double yardstick = yardstick_of(a, b);
+    const double priority = yardstick > 0 ? length_of(run) / yardstick : 1;
     queue_.push({priority, s, a.version, b.version, is_single});
+  }
+
+  double yardstick_of(const Part& a, const Part& b) const
+  {
+    switch (order_) {
+    case Merge_order::by_smaller_perimeter:
+      return std::min(a.perimeter, b.perimeter);
+    case Merge_order::by_mean_perimeter:
+      return std::sqrt(a.perimeter * b.perimeter);
+    case Merge_order::by_smaller_area:
+      return std::sqrt(std::min(a.area, b.area));
+    case Merge_order::by_length:
+      return 1;
+    case Merge_order::by_larger_perimeter:
+      return std::max(a.perimeter, b.perimeter);
+    }
+    return 0;
   }
 
   /// A run that must not be glued as a whole may still be along its longest arc: what stays open is a slit.
@@ -358,6 +401,43 @@ private:
 
   // --- Merging
 
+  void sweep()
+  {
+    is_refused_.assign(is_barrier_.size(), 0);
+    is_refused_alone_.assign(is_barrier_.size(), 0);
+    for (Index p = 0; p < parts_.size(); ++p)
+      if (roots_.find(p) == p)
+        push_runs(p);
+    merge();
+  }
+
+  bool is_past_bound() const { return past_bound_ > 1; }
+
+  bool has_too_many_charts() const
+  {
+    return options_.max_charts > 0 && number_of_charts_ > options_.max_charts;
+  }
+
+  bool is_wanted_past_bound(const Part& a, const Part& b) const
+  {
+    return has_too_many_charts() || std::min(a.area, b.area) < options_.min_chart_area * whole_area_;
+  }
+
+  /// Goes on while there are too many charts or too small ones: past the bound, but no farther than needed.
+  void merge_past_bound()
+  {
+    if (options_.max_charts == 0 && !(options_.min_chart_area > 0))
+      return;
+    constexpr double step = 4, enough = 1e9;
+    for (past_bound_ = step; past_bound_ < enough && execution_.proceed(0.8); past_bound_ *= step) {
+      sweep();
+      zip();
+    }
+    past_bound_ = std::numeric_limits<double>::infinity();
+    sweep();
+    past_bound_ = 1;
+  }
+
   /// Takes promising candidates whose parts are all different from the queue. Their number does not depend on
   /// the number of threads, so neither does the result.
   std::vector<Candidate> take_batch()
@@ -366,7 +446,7 @@ private:
     std::vector<Entry> later;
     std::vector<Index> busy;
     const auto is_busy = [&](Index p) { return std::find(busy.begin(), busy.end(), p) != busy.end(); };
-    while (!queue_.empty() && batch.size() < options_.batch && later.size() < 4 * options_.batch) {
+    while (!queue_.empty() && batch.size() < batch_size() && later.size() < 4 * options_.batch) {
       const Entry entry = queue_.top();
       queue_.pop();
       const Index s = entry.side;
@@ -375,6 +455,8 @@ private:
       Candidate c{part_of_side(s), part_of_side(s ^ 1), {}, {}, false};
       if (parts_[c.part].version != entry.version || parts_[c.other].version != entry.other_version)
         continue; // pushed anew when the part changed
+      if (is_past_bound() && !is_wanted_past_bound(parts_[c.part], parts_[c.other]))
+        continue;
       if (is_busy(c.part) || is_busy(c.other)) {
         later.push_back(entry);
         continue;
@@ -393,6 +475,14 @@ private:
     for (const Entry& entry : later)
       queue_.push(entry);
     return batch;
+  }
+
+  /// Once there are few charts enough, no more of them merge for that reason.
+  std::size_t batch_size() const
+  {
+    return is_past_bound() && has_too_many_charts() && !(options_.min_chart_area > 0)
+               ? std::min(options_.batch, number_of_charts_ - options_.max_charts)
+               : options_.batch;
   }
 
   bool is_mostly_refused(const std::vector<Index>& run) const
@@ -457,6 +547,7 @@ private:
       merged.version += parts_[c.part == part ? c.other : c.part].version;
       parts_[c.part] = parts_[c.other] = Part();
       roots_.unite(c.part, c.other);
+      --number_of_charts_;
     }
     parts_[part] = std::move(merged);
     keep_layout(parts_[part], std::move(c.layout));
@@ -536,6 +627,9 @@ private:
   std::priority_queue<Entry> queue_;
   double whole_area_ = 0;
   Index remaining_side_ = no_index;
+  std::size_t number_of_charts_ = 0;
+  Merge_order order_ = Merge_order::by_smaller_perimeter;
+  double past_bound_ = 1; ///< how many times the distortion beyond 1 may exceed that of the bound
 };
 
 } // namespace Atlas::internal

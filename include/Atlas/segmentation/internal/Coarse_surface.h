@@ -24,6 +24,7 @@ struct Coarse_surface
   std::vector<Index> opposite;        ///< per halfedge
   std::vector<Index> side;            ///< per halfedge: the side of an arc, or `no_index`
   std::vector<Index> chart;           ///< per triangle
+  std::vector<Index> source;          ///< per triangle: the one of the surface that it was
   std::vector<std::uint8_t> is_fixed; ///< per vertex: whether arcs end there
 };
 
@@ -43,6 +44,20 @@ public:
   {
     take_vertices(surface, arcs);
     set_lengths(segmentation.number_of_charts, triangles_per_chart);
+  }
+
+  /// Keeps the vertices of a triangle, and so the triangle, as they are.
+  void keep_triangle(Index t)
+  {
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      kind_[vertex_[h]] = Kind::fixed;
+  }
+
+  /// Whether the triangle stays as it is because its vertices do.
+  bool is_kept(Index t) const
+  {
+    return kind_[vertex_[3 * t]] == Kind::fixed && kind_[vertex_[3 * t + 1]] == Kind::fixed &&
+           kind_[vertex_[3 * t + 2]] == Kind::fixed;
   }
 
   Coarse_surface run()
@@ -271,6 +286,7 @@ private:
         continue;
       new_triangle[t] = static_cast<Index>(result.triangles.size());
       result.chart.push_back(chart_[t]);
+      result.source.push_back(t);
       result.triangles.emplace_back();
       for (Index i = 0; i < 3; ++i) {
         Index& v = new_vertex[vertex_[3 * t + i]];

@@ -5,6 +5,7 @@
 #include <Atlas/Surface.h>
 #include <Atlas/internal/Union_find.h>
 #include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/segmentation/internal/Seam_costs.h>
 #include <Atlas/segmentation/internal/triangle_geometry.h>
 
 #include <algorithm>
@@ -21,18 +22,16 @@ namespace Atlas::internal {
 
 /// How much cheaper a cut along an edge of 90 degrees or more is than a cut through flat land.
 inline constexpr double cut_discount_of_sharp_edges = 0.75;
-/// How much dearer a cut is along an edge that should not be a seam.
-inline constexpr double cut_penalty_of_no_seam = 1e4;
-
-/// What cutting along an edge costs: its length, less where it is sharp.
+/// What cutting along an edge costs: its length times the user's factor, less where it is sharp, much more
+/// where there should be no seam.
 inline double cut_cost(const Surface& surface, Index h)
 {
   const double angle =
       angle_between(unit_normal(surface, h / 3), unit_normal(surface, surface.opposite[h] / 3));
   const double sharp = std::min(1., angle / (CGAL_PI / 2));
   const bool avoid = !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam;
-  return edge_length(surface, h) * (1 - cut_discount_of_sharp_edges * sharp) *
-         (avoid ? cut_penalty_of_no_seam : 1);
+  return edge_length(surface, h) * wanted_cost(surface, h) * (1 - cut_discount_of_sharp_edges * sharp) *
+         (avoid ? penalty_of_unwanted_seams : 1);
 }
 
 /// \brief Opens one connected piece until it is a disc, along short cuts.
