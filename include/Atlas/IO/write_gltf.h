@@ -33,7 +33,7 @@ class Gltf_writer
 {
 public:
   Gltf_writer(const Polygon_soup& soup, const std::vector<std::string>& page_pngs)
-      : soup_(soup), split_(split_vertices(soup)),
+      : soup_(soup), names_pages_(soup.number_of_pages() > 1), split_(split_vertices(soup)),
         surface_(build_surface(soup.points, soup.first, soup.vertices))
   {
     model_.asset.version = "2.0";
@@ -194,7 +194,7 @@ private:
   int add_material(Index number, Index page)
   {
     tinygltf::Material material;
-    material.name = page_material_name(soup_, number, page, Page_style::materials);
+    material.name = page_material_name(soup_, number, page, names_pages_);
     material.doubleSided = true; // meshes of any orientation are to be seen
     material.pbrMetallicRoughness.metallicFactor = 0;
     material.pbrMetallicRoughness.baseColorTexture.index = texture_of(page);
@@ -250,6 +250,7 @@ private:
   }
 
   const Polygon_soup& soup_;
+  bool names_pages_;
   Split_vertices split_;
   Surface surface_;
   tinygltf::Model model_;

@@ -71,13 +71,11 @@ inline void append_face(std::string& text, const Polygon_soup& soup, const std::
   text += '\n';
 }
 
-/// The name of a material on a page, where every page has materials of its own.
-inline std::string page_material_name(const Polygon_soup& soup, Index material, Index page, Page_style style)
+/// The name of a material; where every page has materials of its own, with the number of its tile.
+inline std::string page_material_name(const Polygon_soup& soup, Index material, Index page, bool names_pages)
 {
   const std::string name = material == no_index ? default_material_name : soup.material_names[material];
-  return style == Page_style::udim || soup.number_of_pages() <= 1
-             ? name
-             : name + '.' + std::to_string(udim_tile(page));
+  return names_pages ? name + '.' + std::to_string(udim_tile(page)) : name;
 }
 
 } // namespace internal
@@ -117,7 +115,7 @@ inline std::string obj_text(const Polygon_soup& soup, const std::string& materia
     if (own_material != material || own_page != page) {
       material = own_material;
       page = own_page;
-      text += "usemtl " + internal::page_material_name(soup, material, page, style) + '\n';
+      text += "usemtl " + internal::page_material_name(soup, material, page, names_pages) + '\n';
     }
     internal::append_face(text, soup, uv.corner, f);
   }
@@ -135,12 +133,13 @@ inline std::string mtl_text(const Polygon_soup& soup, const std::string& texture
 {
   std::string text = "# written by Atlas\n";
   const Index pages = soup.number_of_pages();
+  const bool names_pages = style == Page_style::materials && pages > 1;
   const auto append = [&](Index material) {
-    for (Index page = 0; page < (style == Page_style::materials ? pages : 1); ++page) {
+    for (Index page = 0; page < (names_pages ? pages : 1); ++page) {
       std::string picture = page_file_name(texture, page, pages);
-      if (style == Page_style::udim && pages > 1)
+      if (pages > 1 && !names_pages)
         picture.replace(picture.rfind(".1001") + 1, 4, "<UDIM>");
-      text += "newmtl " + internal::page_material_name(soup, material, page, style) +
+      text += "newmtl " + internal::page_material_name(soup, material, page, names_pages) +
               "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n';
     }
   };
