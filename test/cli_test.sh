@@ -104,6 +104,8 @@ expect 0 0 cube.obj -o out/a.obj --hard-angle 60
 for mode in standard few-seams conformal; do
   expect 0 0 cube.obj -o out/a.obj --mode $mode --max-distortion 1.2
 done
+expect 0 0 cube.obj -o out/a.obj --max-charts 2
+[ "$(charts)" -eq 2 ] || fail "two charts asked for: $(charts)"
 sed 's/^f 1 3/usemtl a\n&/; s/^f 1 2/usemtl b\n&/' cube.obj >materials.obj
 expect 0 1 materials.obj -o out/b.obj --separate-materials --max-charts 1
 [ "$(charts)" -eq 3 ] || fail "materials: $(charts) charts"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The whole pipeline, on both of CGAL's meshes.
+#include <Atlas/constrain_to_uv.h>
 #include <Atlas/generate_atlas.h>
+#include <Atlas/parameterization/Given_parameterizer.h>
+#include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/verify_atlas.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -182,6 +185,139 @@ TYPED_TEST(GenerateAtlas, HonoursSeamsAndPatches)
     EXPECT_EQ(patch_of_chart.try_emplace(r.chart.at(f), patch.at(f)).first->second, patch.at(f));
 }
 
+TYPED_TEST(GenerateAtlas, KeepsSeamsAwayFromForbiddenAndDearEdges)
+{
+  const TypeParam mesh = mesh_of<TypeParam>(sphere(3));
+  using Edge = typename boost::graph_traits<TypeParam>::edge_descriptor;
+  using Vertex = typename boost::graph_traits<TypeParam>::vertex_descriptor;
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto is_in_cap = [&](Vertex v) { return get(points, v).z() > 0.3; };
+  std::map<Edge, bool> forbidden;
+  std::map<Vertex, double> cost;
+  for (const auto e : edges(mesh))
+    forbidden[e] = is_in_cap(source(e, mesh)) && is_in_cap(target(e, mesh));
+  for (const auto v : vertices(mesh))
+    cost[v] = is_in_cap(v) ? 50 : 1;
+  const auto seam_length_in_cap = [&](const auto& np) {
+    Result<TypeParam> r;
+    r.report = generate_atlas(mesh, boost::make_assoc_property_map(r.uv),
+                              np.face_chart_map(boost::make_assoc_property_map(r.chart))
+                                  .edge_seam_map(boost::make_assoc_property_map(r.seam)));
+    expect_complete(mesh, r);
+    double length = 0;
+    for (const auto& [e, is_seam] : r.seam)
+      if (is_seam && forbidden.at(e))
+        length +=
+            std::sqrt(CGAL::squared_distance(get(points, source(e, mesh)), get(points, target(e, mesh))));
+    return length;
+  };
+  const double usual = seam_length_in_cap(parameters::texture_size(256));
+  EXPECT_GT(usual, 0.5);
+  EXPECT_LT(
+      seam_length_in_cap(parameters::texture_size(256).seam_cost_map(boost::make_assoc_property_map(cost))),
+      0.7 * usual);
+  EXPECT_EQ(seam_length_in_cap(
+                parameters::texture_size(256).forbidden_seam_map(boost::make_assoc_property_map(forbidden))),
+            0);
+}
+
+TYPED_TEST(GenerateAtlas, HardEdgesBecomeSeams)
+{
+  const TypeParam mesh = mesh_of<TypeParam>(cube());
+  const auto charts = [&](double degrees) {
+    Result<TypeParam> r;
+    r.report = generate_atlas(mesh, boost::make_assoc_property_map(r.uv), parameters::hard_angle(degrees));
+    EXPECT_TRUE(r.report.is_valid());
+    return r.report.charts.size();
+  };
+  EXPECT_EQ(charts(89), 6u);
+  EXPECT_LT(charts(91), 6u);
+}
+
+TEST(GenerateAtlasOnSurface, ModesTradeSeamsForDistortionAndTellTheirBound)
+{
+  const Surface surface = surface_of(torus(60, 40));
+  const auto atlas = [&](Atlas_mode mode) {
+    std::vector<Point_2> uv;
+    Atlas_report report = generate_atlas(surface, uv, parameters::mode(mode));
+    EXPECT_TRUE(report.is_valid()) << name(mode);
+    for (const Chart_report& chart : report.charts)
+      EXPECT_EQ(chart.is_within_bound, value(chart.distortion, report.bound.measure) <= report.bound.max);
+    return report;
+  };
+  const Atlas_report standard = atlas(Atlas_mode::standard), few = atlas(Atlas_mode::few_seams),
+                     conformal = atlas(Atlas_mode::conformal);
+  EXPECT_LE(few.seam_length, standard.seam_length);
+  EXPECT_LE(few.charts.size(), standard.charts.size());
+  EXPECT_LT(conformal.distortion.quasi_conformal_mean, 0.3 + 0.7 * standard.distortion.quasi_conformal_mean);
+  EXPECT_EQ(standard.bound.measure, Distortion_measure::symmetric_dirichlet);
+  EXPECT_EQ(standard.bound.max, Merge_options().max_distortion);
+  for (const Chart_report& chart : conformal.charts) {
+    // Only what least squares conformal maps do not map one-to-one is repaired.
+    EXPECT_EQ(chart.flattening.is_optimized, chart.flattening.flips > 0 || chart.flattening.was_overlapping);
+    EXPECT_LE(chart.distortion.area_p99 / chart.distortion.area_p1, conformal_density_ratio * 1.001);
+  }
+  for (const Chart_report& chart : standard.charts)
+    EXPECT_TRUE(chart.flattening.is_optimized);
+}
+
+TEST(GenerateAtlasOnSurface, ChartsAreFewAndLargeOnRequest)
+{
+  const Surface surface = surface_of(torus(60, 40));
+  std::vector<Point_2> uv;
+  const std::size_t usual = generate_atlas(surface, uv).charts.size();
+  ASSERT_GT(usual, 2u);
+  Merge_options tight;
+  tight.max_distortion = 1.01;
+  const Atlas_report many = generate_atlas(surface, uv, parameters::merge_options(tight));
+  EXPECT_GT(many.charts.size(), usual);
+  EXPECT_EQ(many.bound.max, 1.01);
+  const Atlas_report few = generate_atlas(surface, uv, parameters::merge_options(tight).max_charts(usual));
+  EXPECT_TRUE(few.is_valid());
+  EXPECT_LE(few.charts.size(), usual);
+  EXPECT_GT(few.charts_beyond_bound, 0u);
+  const double least = 0.4 * default_texture_size * default_texture_size;
+  const Atlas_report large = generate_atlas(surface, uv, parameters::min_chart_texels(least));
+  EXPECT_TRUE(large.is_valid());
+  EXPECT_LT(large.charts.size(), usual);
+}
+
+TEST(GivenParameterizer, KeepsShapesOfChartsThatAreOneToOneAndMendsTheOthers)
+{
+  // Two strips: the first lies well, the second folds back on itself in the plane.
+  Soup soup = grid(8, 4, [](double x, double y) { return Point_3(4 * x, 2 * y, 0); });
+  const std::size_t half = soup.polygons.size(), n = soup.points.size();
+  const Soup other = grid(8, 4, [](double x, double y) { return Point_3(4 * x, 2 * y + 5, 0.3 * x * x); });
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  for (auto polygon : other.polygons) {
+    for (Index& v : polygon)
+      v += static_cast<Index>(n);
+    soup.polygons.push_back(polygon);
+  }
+  Surface surface = surface_of(soup);
+  std::vector<Point_2> old(surface.number_of_corners);
+  for (Index h = 0; h < surface.opposite.size(); ++h) {
+    const Point_3& p = surface.point(h);
+    const double x = p.y() < 4 || p.x() < 2 ? p.x() : 4 - p.x();
+    old[surface.corner[h]] = Point_2(x + 0.5 * p.y(), p.y()); // sheared, which no flattening here would do
+  }
+  constrain_to_uv(surface, old);
+  std::vector<Point_2> uv;
+  const Atlas_report report = generate_atlas(surface, uv,
+                                             parameters::segmentation(Patch_segmentation())
+                                                 .parameterizer(Given_parameterizer<>(surface, old))
+                                                 .validator(Exact_validator(1e9, 0)));
+  EXPECT_TRUE(report.is_valid());
+  EXPECT_EQ(report.charts.size(), 3u);
+  for (Index t = 0; t < half; ++t) { // squared lengths keep their ratios
+    const auto lengths = [&](const std::vector<Point_2>& at) {
+      const auto p = [&](Index i) { return at[surface.corner[3 * t + i]]; };
+      return CGAL::squared_distance(p(0), p(1)) / CGAL::squared_distance(p(1), p(2));
+    };
+    EXPECT_NEAR(lengths(uv) / lengths(old), 1, 1e-3);
+  }
+}
+
 TEST(GenerateAtlasOnSurface, SameBytesForAnyNumberOfThreadsAndAnyPowerOfTwoScale)
 {
   const Surface surface = surface_of(torus(40, 24));
@@ -199,6 +335,28 @@ TEST(GenerateAtlasOnSurface, SameBytesForAnyNumberOfThreadsAndAnyPowerOfTwoScale
     std::vector<Point_2> uv;
     ASSERT_TRUE(generate_atlas(scaled, uv).is_valid());
     EXPECT_EQ(uv, reference);
+  }
+}
+
+TEST(GenerateAtlasOnSurface, FillsAsManyPagesAsADensityTakes)
+{
+  for (const double scale : {1.0, 3.0, 1e-3}) {
+    Surface surface = surface_of(sphere(3));
+    for (Point_3& p : surface.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Page_options page;
+    page.width = page.height = 256;
+    page.density = 70 / scale;
+    std::vector<Point_2> uv;
+    const Atlas_report report = generate_atlas(surface, uv, parameters::page_options(page));
+    EXPECT_TRUE(report.is_valid());
+    EXPECT_NEAR(report.density * scale, 70, 1e-9);
+    EXPECT_GE(report.pages, 2u);
+    // The texels that charts cover are those of the sphere.
+    EXPECT_NEAR(report.packing_efficiency * 256 * 256 * double(report.pages),
+                report.area / scale / scale * 70 * 70, 1e-2 * 256 * 256);
+    for (const Index p : report.face_page)
+      EXPECT_LT(p, report.pages);
   }
 }
 
