@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/concepts.h>
+#include <Atlas/extract_charts.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
+
+#include <CGAL/Polygon_2_algorithms.h>
 
 #include "test_meshes.h"
 
@@ -66,9 +69,9 @@ Chart height_field(Index n, double noise, unsigned seed)
 }
 
 /// A ramp that winds around an axis: flat in the plane it covers itself.
-Chart spiral(double turns)
+Chart spiral(double turns, Index length = 60, Index width = 3)
 {
-  return test::chart_of(test::grid(60, 3, [=](double x, double y) {
+  return test::chart_of(test::grid(length, width, [=](double x, double y) {
     const double angle = 2 * M_PI * turns * x, r = 1 + y;
     return Point_3(r * std::cos(angle), r * std::sin(angle), 0.1 * angle);
   }));
@@ -130,6 +133,100 @@ TEST(Symmetric_dirichlet_optimizer, reports_the_energy_and_ends_at_a_stationary_
       moved.uv[v] = moved.uv[v] + d;
       EXPECT_GT(mean_energy(moved), best - 1e-9);
     }
+}
+
+/// What of a sphere is below the given height; the more, the stronger conformal maps vary in scale.
+Chart bowl(double height)
+{
+  return test::chart_of(test::grid(40, 80, [=](double x, double y) {
+    const double polar = y * std::acos(-height), around = 2 * M_PI * x;
+    const double r = std::sin(polar + 1e-3), angle = 0.98 * around;
+    return Point_3(r * std::cos(angle), r * std::sin(angle), -std::cos(polar));
+  }));
+}
+
+std::vector<internal::Complex> coordinates(const Chart& chart)
+{
+  std::vector<internal::Complex> u;
+  for (const Point_2& p : chart.uv)
+    u.emplace_back(p.x(), p.y());
+  return u;
+}
+
+TEST(Chart_hierarchy, thins_out_discs_without_flips)
+{
+  Chart chart = height_field(60, 0.5, 1);
+  ASSERT_EQ(LSCM_parameterizer<>().parameterize(chart, Execution()), Chart_status::valid);
+  const std::vector<internal::Complex> u = coordinates(chart);
+  const internal::Chart_geometry geometry(chart);
+  internal::Chart_hierarchy hierarchy(geometry, u);
+  hierarchy.coarsen(100);
+  ASSERT_GE(hierarchy.levels().size(), 3u);
+  EXPECT_LE(hierarchy.levels().back().vertices.size(), 300u);
+  for (std::size_t level = 0; level < hierarchy.levels().size(); ++level) {
+    const Chart coarse = hierarchy.chart(level);
+    EXPECT_TRUE(topology(coarse).is_disc());
+    std::vector<internal::Complex> part;
+    for (const Index v : hierarchy.levels()[level].vertices) {
+      part.push_back(u[v]);
+      EXPECT_TRUE(hierarchy.has(level, v));
+    }
+    EXPECT_TRUE(internal::Injectivity_checker(coarse).is_one_to_one(part));
+  }
+}
+
+TEST(Chart_hierarchy, brings_affine_maps_back_to_the_finest_mesh)
+{
+  Chart chart = test::chart_of(test::grid(50, 50, [](double x, double y) {
+    return Point_3(x + 0.05 * std::sin(7 * y), y + 0.05 * std::cos(9 * x), 0);
+  }));
+  std::vector<internal::Complex> u, mapped;
+  for (const Point_3& p : chart.points) {
+    u.emplace_back(p.x(), p.y());
+    mapped.emplace_back(3 * p.x() + p.y(), 0.2 * p.y());
+  }
+  const internal::Chart_geometry geometry(chart);
+  internal::Chart_hierarchy hierarchy(geometry, u);
+  hierarchy.coarsen(100);
+  const std::size_t top = hierarchy.levels().size() - 1;
+  ASSERT_GE(top, 2u);
+  std::vector<internal::Complex> back(u.size(), -1), inside = back;
+  for (const Index v : hierarchy.levels()[top].vertices)
+    back[v] = inside[v] = mapped[v];
+  for (std::size_t level = top; level-- > 0;) {
+    ASSERT_TRUE(hierarchy.refine(level, back, false));
+    ASSERT_TRUE(hierarchy.refine(level, inside, true));
+  }
+  for (std::size_t v = 0; v < u.size(); ++v)
+    EXPECT_NEAR(std::abs(back[v] - mapped[v]), 0, 1e-12);
+  // Inside: valid too, and nothing sticks out of the coarse mesh.
+  internal::Injectivity_checker checker(chart);
+  EXPECT_TRUE(checker.is_one_to_one(inside));
+  std::vector<Index> loop = checker.borders().front();
+  std::erase_if(loop, [&](Index v) { return !hierarchy.has(top, v); });
+  std::vector<Point_2> polygon;
+  for (const Index v : loop)
+    polygon.push_back(internal::to_point(inside[v]));
+  for (const internal::Complex& z : inside)
+    EXPECT_NE(CGAL::bounded_side_2(polygon.begin(), polygon.end(), internal::to_point(z), Kernel()),
+              CGAL::ON_UNBOUNDED_SIDE);
+}
+
+TEST(Symmetric_dirichlet_optimizer, needs_few_iterations_at_full_size)
+{
+  const std::pair<Chart, std::size_t> charts[] = {{bowl(0.99), 2}, {spiral(1.2, 150, 16), 8}};
+  for (auto [chart, most] : charts) {
+    Flattening_record record;
+    ASSERT_EQ(Bijective_parameterizer<>().parameterize(chart, Execution(), record), Chart_status::valid);
+    EXPECT_TRUE(is_one_to_one(chart));
+    EXPECT_LE(record.distortion.iterations, most); // without coarser meshes 4 and 11
+    Distortion_options options;
+    options.tolerance = 1e-8;
+    options.max_iterations = 500;
+    Chart best = chart;
+    ASSERT_EQ(Symmetric_dirichlet_optimizer(options).optimize(best, Execution()), Chart_status::valid);
+    EXPECT_LE(mean_energy(chart), 1.002 * mean_energy(best));
+  }
 }
 
 TEST(Symmetric_dirichlet_optimizer, stops_at_its_target_and_its_limit)

@@ -42,6 +42,7 @@ public:
 
   bool has_flip() const { return has_flip_; }
   bool is_border_simple() const { return is_simple_; }
+  const std::vector<std::vector<Index>>& borders() const { return checker_.borders(); }
   bool is_guarded() const { return is_guarded_; }
   const std::vector<Complex>& coordinates() const { return u_; }
 
@@ -59,6 +60,40 @@ public:
     is_guarded_ = true;
     energy_ = energy(u_);
     return try_step(decrease);
+  }
+
+  /// Steps until one lowers the energy by less than `tolerance` of it, or the mean is at most `target`.
+  /// \return how many there were
+  std::size_t minimize(std::size_t max_steps, double tolerance, double target, const Execution& execution)
+  {
+    std::size_t steps = 0;
+    double decrease = 1;
+    while (steps < max_steps && decrease > tolerance && mean_energy() > target && !execution.is_cancelled() &&
+           step(decrease))
+      ++steps;
+    return steps;
+  }
+
+  /// Keeps the border from touching itself from now on, if it does not yet.
+  void guard()
+  {
+    is_guarded_ = is_simple_;
+    energy_ = energy(u_);
+  }
+
+  /// Goes on from another map if that is as valid and has less energy.
+  bool adopt(std::vector<Complex> u)
+  {
+    if (!(total_energy<Energy>(chart_, rest_, u) < total_energy<Energy>(chart_, rest_, u_)) ||
+        checker_.has_flip(u))
+      return false;
+    const bool is_simple = checker_.is_border_simple(u);
+    if (is_simple_ && !is_simple)
+      return refit();
+    u_ = std::move(u);
+    is_simple_ = is_simple;
+    energy_ = energy(u_);
+    return true;
   }
 
   /// The factor at which scaling no longer lowers the symmetric Dirichlet energy.

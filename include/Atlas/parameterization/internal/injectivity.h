@@ -38,7 +38,11 @@ public:
   {}
 
   Injectivity_checker(const Chart& chart, const std::vector<Index>& opposite)
-      : chart_(chart), borders_(border_vertex_loops(chart, opposite)), tree_(borders_)
+      : Injectivity_checker(chart, border_vertex_loops(chart, opposite))
+  {}
+
+  Injectivity_checker(const Chart& chart, std::vector<std::vector<Index>> borders)
+      : chart_(chart), borders_(std::move(borders)), tree_(borders_)
   {}
 
   /// The vertices of each border loop in order, the chart on the left.
