@@ -8,11 +8,14 @@
 #include <Atlas/validation/certify.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -49,6 +52,15 @@ void print(const Atlas::Atlas_certificate& c)
   row("  largest                    ", c.density_max);
 }
 
+/// Of all kinds of faults, sorted.
+std::vector<Atlas::Index> faces_to_blame(const Atlas::Atlas_certificate& c)
+{
+  std::vector<Atlas::Index> faces;
+  std::set_union(c.culprits.begin(), c.culprits.end(), c.crowded_faces.begin(), c.crowded_faces.end(),
+                 std::back_inserter(faces));
+  return faces;
+}
+
 int run(const Arguments& arguments)
 {
   const Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
@@ -59,7 +71,7 @@ int run(const Arguments& arguments)
       Atlas::certify(surface, soup.uv, {}, arguments.certificate, Atlas::Execution(arguments.threads));
   if (!arguments.picture.empty())
     Atlas::write_png(arguments.picture,
-                     Atlas::draw_atlas(soup, certificate.face_chart, 1024, certificate.culprits));
+                     Atlas::draw_atlas(soup, certificate.face_chart, 1024, faces_to_blame(certificate)));
   if (arguments.is_json)
     std::cout << Atlas::to_json(certificate).dump(2) << '\n';
   else
@@ -91,7 +103,8 @@ int main(int argc, char** argv)
           std::map<std::string, Atlas::Uv_precision>{{"single", Atlas::Uv_precision::single_precision},
                                                      {"double", Atlas::Uv_precision::double_precision}}));
   app.add_option("--threads", arguments.threads, "0: all cores")->capture_default_str();
-  app.add_option("--picture", arguments.picture, "PNG of the page, faces to blame in red");
+  app.add_option("--picture", arguments.picture,
+                 "PNG of the page; faces to blame, also for the gutter, in red");
   app.add_flag("--json", arguments.is_json, "print JSON");
   try {
     app.parse(argc, argv);

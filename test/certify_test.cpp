@@ -87,6 +87,53 @@ TEST(Certify, AValidAtlas)
   EXPECT_NE(message(layout.certificate()).find("border of the page"), std::string::npos);
 }
 
+TEST(Certify, ListsFacesThatAreTooNearToAnotherChartOrThePageBorder)
+{
+  Layout layout(squares(3, 4, 0.25, 0.03125));
+  for (Point_2& p : layout.uv)
+    p = Point_2(p.x() + 0.0625, p.y() + 0.0625);
+  EXPECT_TRUE(layout.certificate().crowded_faces.empty());
+  for (const double gutter : {3.0, 3.2, 8.0, 12.4}) {
+    layout.options.gutter = gutter;
+    // Edges on the sides of the squares, and their distances by CGAL.
+    using Segment = Kernel::Segment_2;
+    struct Edge
+    {
+      Segment segment;
+      Index square, face;
+    };
+    std::vector<Edge> edges;
+    const auto texel = [](const Point_2& p) { return Point_2(100 * p.x(), 100 * p.y()); };
+    for (Index c = 0; c < layout.uv.size(); ++c) {
+      const Point_2 p = layout.uv[c], q = layout.uv[next_halfedge(c)];
+      const Index square = c / 96;
+      const double left = 0.0625 + square * 0.28125;
+      if ((p.x() == q.x() && (p.x() == left || p.x() == left + 0.25)) ||
+          (p.y() == q.y() && (p.y() == 0.0625 || p.y() == 0.3125)))
+        edges.push_back({Segment(texel(p), texel(q)), square, c / 3});
+    }
+    ASSERT_EQ(edges.size(), 3 * 16u);
+    std::set<Index> expected;
+    for (const Edge& e : edges)
+      for (const Edge& f : edges)
+        if (e.square != f.square && CGAL::squared_distance(e.segment, f.segment) < std::pow(gutter - 0.01, 2))
+          expected.insert(e.face);
+    const Atlas_certificate c = layout.certificate();
+    EXPECT_EQ(std::set<Index>(c.crowded_faces.begin(), c.crowded_faces.end()), expected) << gutter;
+    EXPECT_TRUE(std::is_sorted(c.crowded_faces.begin(), c.crowded_faces.end()));
+    EXPECT_EQ(expected.empty(), gutter < 3.125);
+    EXPECT_EQ(layout.certificate(2).crowded_faces, c.crowded_faces);
+    EXPECT_TRUE(c.culprits.empty());
+  }
+  layout = Layout(squares(1, 4, 0.5, 0));
+  for (Point_2& p : layout.uv)
+    p = Point_2(p.x() + 0.0625, p.y() + 0.25);
+  layout.options.gutter = 13; // 6.25 texels from the left border of the page: the first column of cells
+  EXPECT_EQ(layout.certificate().crowded_faces, (std::vector<Index>{0, 1, 8, 9, 16, 17, 24, 25}));
+  layout.options.max_culprits = 3;
+  EXPECT_EQ(layout.certificate().crowded_faces, (std::vector<Index>{0, 1, 8}));
+}
+
 TEST(Certify, FlippedFlatAndMissingTriangles)
 {
   Layout layout(squares(1, 4, 0.5, 0));

@@ -47,7 +47,7 @@ public:
       find_overlaps(charts);
     if (execution_.proceed(0.9))
       measure_distances(charts);
-    finish_culprits();
+    finish_lists();
     return std::move(certificate_);
   }
 
@@ -275,6 +275,7 @@ private:
     }
     certificate_.page_border_distance = std::min({box.x0 * options_.width, (1 - box.x1) * options_.width,
                                                   box.y0 * options_.height, (1 - box.y1) * options_.height});
+    find_crowded_at_border();
     if (certificate_.overlaps_between_charts > 0) {
       certificate_.chart_distance = 0;
       return;
@@ -288,22 +289,53 @@ private:
           c != no_index && charts.is_border(h) && area[c] > 0 && area_uv[c] > 0)
         segments[page_[h / 3]].push_back({texel(uv_[h]), texel(uv_[next_halfedge(h)]), c, h / 3});
     Chart_distance best;
-    for (const auto& on_page : segments)
-      best = std::min(best, find_chart_distance(on_page, execution_));
+    for (const auto& on_page : segments) {
+      const Border_search search(on_page, execution_);
+      const Chart_distance nearest = search.nearest(execution_);
+      best = std::min(best, nearest);
+      if (const double least = least_distance(); nearest.squared < least * least && least > 0)
+        for (const Index t : search.crowded(least * least, execution_))
+          certificate_.crowded_faces.push_back(surface_.face[t]);
+    }
     if (best.first != no_index) {
       certificate_.chart_distance = std::sqrt(best.squared);
       certificate_.closest_faces = {surface_.face[best.first], surface_.face[best.second]};
     }
   }
 
-  void finish_culprits()
+  /// Between charts, in texels, with the tolerance.
+  double least_distance() const { return options_.gutter - options_.gutter_tolerance; }
+
+  void find_crowded_at_border()
   {
-    std::vector<Index>& list = certificate_.culprits;
+    const double least = options_.gutter / 2 - options_.gutter_tolerance;
+    if (!(certificate_.page_border_distance < least))
+      return;
+    const auto is_near = [&](const Point_2& p) {
+      return std::min(p.x(), 1 - p.x()) * options_.width < least ||
+             std::min(p.y(), 1 - p.y()) * options_.height < least;
+    };
+    for (Index t = 0; t < triangles_.size(); ++t)
+      if (triangles_[t].is_finite &&
+          (is_near(uv_[3 * t]) || is_near(uv_[3 * t + 1]) || is_near(uv_[3 * t + 2])))
+        certificate_.crowded_faces.push_back(surface_.face[t]);
+  }
+
+  void finish_lists()
+  {
+    const bool is_complete = finish(certificate_.culprits);
+    certificate_.are_culprits_complete = certificate_.are_overlaps_complete && is_complete;
+    (void)finish(certificate_.crowded_faces);
+  }
+
+  /// Sorts the list and caps it. Returns whether nothing was cut off.
+  bool finish(std::vector<Index>& list) const
+  {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
-    certificate_.are_culprits_complete =
-        certificate_.are_overlaps_complete && list.size() <= options_.max_culprits;
+    const bool is_complete = list.size() <= options_.max_culprits;
     list.resize(std::min(list.size(), options_.max_culprits));
+    return is_complete;
   }
 
   const Surface& surface_;

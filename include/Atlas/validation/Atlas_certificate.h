@@ -66,6 +66,10 @@ struct Atlas_certificate
   std::vector<Index> culprits; ///< faces to blame for a fault of the triangle kind or an overlap, sorted
   bool are_culprits_complete = true; ///< `false`: the list has been capped
 
+  std::vector<Index> crowded_faces; ///< faces of which a border edge is too near to another chart, or a
+                                    ///< corner to the border of the page; sorted, capped like `culprits`.
+                                    ///< Where charts overlap each other, only the latter.
+
   bool keeps_gutter() const
   {
     return chart_distance >= gutter - gutter_tolerance &&
