@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -53,12 +52,17 @@ public:
   Box_tree(const std::vector<Box_2>& items, std::size_t leaf_size, const Execution& execution)
       : order_(items.size())
   {
-    std::iota(order_.begin(), order_.end(), Index(0));
     while ((items.size() >> levels_) > leaf_size)
       ++levels_;
     nodes_.resize((std::size_t(2) << levels_) - 1);
+    std::vector<Centre> centres(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+      centres[i] = {0.5 * items[i].x0 + 0.5 * items[i].x1, 0.5 * items[i].y0 + 0.5 * items[i].y1,
+                    static_cast<Index>(i)};
     for (unsigned level = 0; level < levels_; ++level)
-      execution.for_each(std::size_t(1) << level, [&](std::size_t j) { halve(items, level, j); });
+      execution.for_each(std::size_t(1) << level, [&](std::size_t j) { halve(centres, level, j); });
+    for (std::size_t i = 0; i < items.size(); ++i)
+      order_[i] = centres[i].item;
     for (std::size_t j = 0; j < std::size_t(1) << levels_; ++j)
       for (std::size_t i = begin(levels_, j); i < begin(levels_, j + 1); ++i)
         node(levels_, j).add(items[order_[i]]);
@@ -87,24 +91,29 @@ private:
   Box_2& node(unsigned level, std::size_t j) { return nodes_[(std::size_t(1) << level) - 1 + j]; }
   const Box_2& node(unsigned level, std::size_t j) const { return nodes_[(std::size_t(1) << level) - 1 + j]; }
 
-  void halve(const std::vector<Box_2>& items, unsigned level, std::size_t j)
+  /// What is sorted: by value, since looking up boxes all over the memory takes longer than moving these.
+  struct Centre
   {
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t first = begin(level, j), middle = begin(level + 1, 2 * j + 1),
-                      last = begin(level, j + 1);
-    Box_2 centres;
-    for (std::size_t i = first; i < last; ++i) {
-      const Box_2& b = items[order_[i]];
-      centres.add(0.5 * b.x0 + 0.5 * b.x1, 0.5 * b.y0 + 0.5 * b.y1);
-    }
-    const bool is_wide = centres.x1 - centres.x0 >= centres.y1 - centres.y0;
-    std::nth_element(at(first), at(middle), at(last), [&](Index a, Index b) {
-      const double p =
-          is_wide ? 0.5 * items[a].x0 + 0.5 * items[a].x1 : 0.5 * items[a].y0 + 0.5 * items[a].y1;
-      const double q =
-          is_wide ? 0.5 * items[b].x0 + 0.5 * items[b].x1 : 0.5 * items[b].y0 + 0.5 * items[b].y1;
-      return p != q ? p < q : a < b;
-    });
+    double x, y;
+    Index item;
+  };
+
+  void halve(std::vector<Centre>& centres, unsigned level, std::size_t j) const
+  {
+    const auto at = [&](std::size_t i) { return centres.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto first = at(begin(level, j)), middle = at(begin(level + 1, 2 * j + 1)),
+               last = at(begin(level, j + 1));
+    Box_2 box;
+    for (auto c = first; c != last; ++c)
+      box.add(c->x, c->y);
+    if (box.x1 - box.x0 >= box.y1 - box.y0)
+      std::nth_element(first, middle, last, [](const Centre& a, const Centre& b) {
+        return a.x != b.x ? a.x < b.x : a.item < b.item;
+      });
+    else
+      std::nth_element(first, middle, last, [](const Centre& a, const Centre& b) {
+        return a.y != b.y ? a.y < b.y : a.item < b.item;
+      });
   }
 
   template <typename Enter, typename Leaf>

@@ -81,11 +81,15 @@ public:
   /// than one triangle.
   ///
   /// *Termination.* Every part has fewer triangles than the chart, and a single triangle is always accepted
-  /// once it is flattened: repeated splitting ends after at most n - 1 splits. Halves have n/2 triangles, so
-  /// charts that cannot be flattened at all are gone after log2(n) rounds. With the coordinates they have,
-  /// `overlapping` charts whose zone does not wind over itself are mended in one round; elsewhere every round
-  /// takes about half of the culprits to either side. What a caller flattens anew may fail anew; who wants a
-  /// bound on rounds gives a verdict of `solver_failed` after some, and gets halves. O(n log n).
+  /// once it is flattened: repeated splitting ends after at most n - 1 splits, whatever is flattened in
+  /// between. With the coordinates they have, `overlapping` charts whose zone does not wind over itself are
+  /// mended in one round; where the cut goes through the zone or through flipped triangles, about half of the
+  /// culprits go to either side, and halves have n/2 triangles.
+  ///
+  /// *Rounds.* What a caller flattens anew may fail anew, so the number of rounds has a bound only if he
+  /// halves: a verdict of `solver_failed` gives halves, and charts that cannot be flattened at all are gone
+  /// after log2(n) such rounds. `generate_atlas()` does so from the 8th round on: at most 8 + log2(n) rounds
+  /// of flattening after each of at most 6 rounds on the page. O(n log n) a split.
   std::vector<Index> split(const Chart& chart, const Chart_verdict& verdict) const
   {
     const internal::Chart_graph graph(chart);
