@@ -330,6 +330,39 @@ TEST(Bijective_parameterizer, repairs_flips)
   EXPECT_GT(flips, 0u);
 }
 
+/// Mean over the area of the ratio of the singular values and its inverse, over 2.
+double mean_shear(const Chart& chart)
+{
+  double sum = 0, total = 0;
+  for (const auto& [a, b, c] : chart.triangles) {
+    const Vector_3 p = chart.points[b] - chart.points[a], q = chart.points[c] - chart.points[a];
+    const Vector_2 s = chart.uv[b] - chart.uv[a], t = chart.uv[c] - chart.uv[a];
+    const double space = std::sqrt(CGAL::cross_product(p, q).squared_length()),
+                 plane = s.x() * t.y() - s.y() * t.x();
+    sum += ((q * q) * (s * s) - 2 * (p * q) * (s * t) + (p * p) * (t * t)) / (2 * plane);
+    total += space;
+  }
+  return sum / total;
+}
+
+TEST(Bijective_parameterizer, repairs_flips_conformally_if_asked_to)
+{
+  std::size_t flips = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Chart chart = height_field(16, 2, seed), isometric = chart;
+    Flattening_record record;
+    ASSERT_EQ(Bijective_parameterizer<>(Finish::as_it_is).parameterize(chart, Execution(), record),
+              Chart_status::valid);
+    ASSERT_EQ(Bijective_parameterizer<>().parameterize(isometric, Execution()), Chart_status::valid);
+    flips += record.flips;
+    EXPECT_TRUE(is_one_to_one(chart));
+    if (record.is_optimized) {
+      EXPECT_LT(mean_shear(chart) - 1, 0.95 * (mean_shear(isometric) - 1));
+    }
+  }
+  EXPECT_GT(flips, 0u);
+}
+
 TEST(Bijective_parameterizer, needs_no_more_than_connectivity)
 {
   for (const Index rings : {20, 150}) {

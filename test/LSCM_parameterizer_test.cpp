@@ -245,6 +245,22 @@ TEST(LSCM, the_default_pins_are_on_the_border_and_far_apart)
   EXPECT_NEAR(std::abs(p.x() - q.x()), 10, 1e-12);
 }
 
+TEST(LSCM, a_slit_ring_is_not_pinned_at_the_two_copies_of_a_place)
+{
+  Chart chart = test::chart_of(test::grid(60, 4, [](double x, double y) {
+    const double angle = 2 * M_PI * x;
+    return Point_3((2 + y) * std::cos(angle), (2 + y) * std::sin(angle), 0);
+  }));
+  LSCM_record record;
+  ASSERT_EQ(LSCM_parameterizer<>().parameterize(chart, Execution(), record), Chart_status::valid);
+  ASSERT_EQ(record.pins.size(), 2u);
+  const Point_3 p = chart.points[record.pins[0].vertex], q = chart.points[record.pins[1].vertex];
+  EXPECT_GT(CGAL::squared_distance(p, q), 4);
+  for (const auto& [a, b, c] : chart.triangles)
+    EXPECT_NEAR(CGAL::squared_distance(chart.uv[a], chart.uv[b]),
+                CGAL::squared_distance(chart.points[a], chart.points[b]), 1e-9);
+}
+
 TEST(LSCM, the_result_scales_with_the_model_and_keeps_the_area)
 {
   const Chart chart = wavy();

@@ -7,6 +7,7 @@
 #include <Atlas/Flattening_record.h>
 #include <Atlas/concepts.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/parameterization/MIPS_optimizer.h>
 #include <Atlas/parameterization/Schnyder_parameterizer.h>
 #include <Atlas/parameterization/Symmetric_dirichlet_optimizer.h>
 #include <Atlas/parameterization/Tutte_parameterizer.h>
@@ -21,12 +22,16 @@ namespace Atlas {
 /// \brief Whether every chart is optimised, or only those that need it to be one-to-one.
 enum class Finish {
   low_distortion, ///< symmetric Dirichlet on every chart
-  as_it_is        ///< the first choice where it is one-to-one: conformal maps stay conformal
+  as_it_is ///< the first choice where it is one-to-one; elsewhere a map that is, and is as conformal as that
+           ///< allows
 };
 
 /// \brief Flattens every disc one-to-one: the chosen parameterizer, then an optimiser that cannot flip; where
 /// that does not give a one-to-one map, the optimiser from Tutte's map; and where double precision does
 /// not hold that, from Schnyder's drawing.
+///
+/// With `Finish::as_it_is` the repaired map is led on to the least MIPS energy (Hormann and Greiner 2000),
+/// which is conformal distortion, instead of the least symmetric Dirichlet energy.
 ///
 /// One-to-one means: proved by exact predicates on the coordinates in double precision.
 template <ChartParameterizer First = LSCM_parameterizer<>>
@@ -35,7 +40,7 @@ class Bijective_parameterizer
 public:
   explicit Bijective_parameterizer(Finish finish = Finish::low_distortion, Distortion_options options = {},
                                    First first = First())
-      : finish_(finish), optimizer_(options), first_(std::move(first))
+      : finish_(finish), options_(options), first_(std::move(first))
   {}
 
   /// \return `valid` for every disc with area; else the reason
@@ -91,11 +96,17 @@ private:
   Chart_status optimize(Chart& chart, const Execution& execution, Flattening_record& record) const
   {
     record.is_optimized = true;
-    return optimizer_.optimize(chart, execution, record.distortion);
+    const Chart_status status =
+        Symmetric_dirichlet_optimizer(options_).optimize(chart, execution, record.distortion);
+    if (finish_ == Finish::low_distortion || status != Chart_status::valid)
+      return status;
+    // The scale-free energy of conformal maps needs a start in which no part is far too small.
+    Distortion_record of_angles;
+    return MIPS_optimizer(options_).optimize(chart, execution, of_angles);
   }
 
   Finish finish_;
-  Symmetric_dirichlet_optimizer optimizer_;
+  Distortion_options options_;
   First first_;
 };
 

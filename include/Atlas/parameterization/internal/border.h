@@ -4,6 +4,7 @@
 
 #include <Atlas/parameterization/internal/chart_geometry.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -54,7 +55,11 @@ inline std::vector<bool> border_vertices(const Chart& chart)
   return result;
 }
 
-/// The vertex farthest from `start` along edges among `candidates`, and its distance. O(n log n).
+inline constexpr double detour = 4;
+
+/// The vertex farthest from `start` along edges among `candidates`, and its distance. No vertex counts for
+/// more than `detour` times its distance in space: the two copies of a place on a slit are far from each
+/// other along edges, but a map that keeps shapes puts them into one place again. O(n log n).
 inline std::pair<Index, double> farthest_vertex(const Chart_geometry& geometry,
                                                 const Vertex_adjacency& adjacency, Index start,
                                                 const std::vector<bool>& candidates)
@@ -70,8 +75,9 @@ inline std::pair<Index, double> farthest_vertex(const Chart_geometry& geometry,
     queue.pop();
     if (d > distance[v])
       continue;
-    if (candidates[v] && d > best.second)
-      best = {v, d};
+    if (const double far = std::min(d, detour * geometry.distance(start, v));
+        candidates[v] && far > best.second)
+      best = {v, far};
     for (std::size_t k = adjacency.first[v]; k < adjacency.first[v + 1]; ++k) {
       const Index w = adjacency.neighbor[k];
       const double through = d + geometry.distance(v, w);
