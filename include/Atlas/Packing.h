@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace Atlas {
@@ -27,6 +28,22 @@ enum class Chart_stacking {
   none,
   copies,             ///< charts that differ by a motion of the plane
   copies_and_mirrored ///< also charts that differ by a reflection
+};
+
+/// \brief Where a chart goes: x -> s R x + t, after a reflection (x, y) -> (x, -y) if it is mirrored, from
+/// the chart's plane to texels of its page, origin bottom left.
+struct Placement
+{
+  double a = 1, b = 0; ///< the rotation and scale, as the complex number a + ib
+  double x = 0, y = 0; ///< the translation, in texels
+  Index page = 0;
+  bool is_mirrored = false; ///< only charts stacked on one that they are a mirror image of
+
+  Point_2 operator()(const Point_2& p) const
+  {
+    const double px = p.x(), py = is_mirrored ? -p.y() : p.y();
+    return Point_2(a * px - b * py + x, b * px + a * py + y);
+  }
 };
 
 /// \brief What pages have to be like, and what charts may do on them.
@@ -51,6 +68,10 @@ struct Page_options
   std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
   std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places as in their plane
                                   ///< and move as one; `no_index`: alone
+  /// Per chart: where it stays, in size too, whatever its weight or group; the others are packed around it.
+  /// Locked charts are not checked against each other. Where they leave no room on the only page, there is no
+  /// packing.
+  std::vector<std::optional<Placement>> locked = {};
 
   /// The distance that is kept between charts, with mip levels and blocks: two points of one block are nearer
   /// than its diagonal.
@@ -59,22 +80,6 @@ struct Page_options
     const double texels_at_level = mip_levels > 0 ? std::ldexp(1.0, static_cast<int>(mip_levels)) : 0;
     const double diagonal = block > 1 ? std::sqrt(2.0) * block : 0;
     return std::max({gutter, texels_at_level, diagonal});
-  }
-};
-
-/// \brief Where a chart goes: x -> s R x + t, after a reflection (x, y) -> (x, -y) if it is mirrored, from
-/// the chart's plane to texels of its page, origin bottom left.
-struct Placement
-{
-  double a = 1, b = 0; ///< the rotation and scale, as the complex number a + ib
-  double x = 0, y = 0; ///< the translation, in texels
-  Index page = 0;
-  bool is_mirrored = false; ///< only charts stacked on one that they are a mirror image of
-
-  Point_2 operator()(const Point_2& p) const
-  {
-    const double px = p.x(), py = is_mirrored ? -p.y() : p.y();
-    return Point_2(a * px - b * py + x, b * px + a * py + y);
   }
 };
 

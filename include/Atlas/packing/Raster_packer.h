@@ -55,14 +55,14 @@ private:
     internal::Search_budget result;
     switch (effort_) {
     case Packing_effort::fast:
-      result.rounds = 0;
+      result.rounds = 1;
       result.max_charts = max_charts_of_fast_search;
       break;
     case Packing_effort::normal:
       result.rounds = 4;
       break;
     case Packing_effort::best:
-      result.rounds = 60;
+      result.rounds = 36;
       break;
     }
     return result;

@@ -4,6 +4,7 @@
 
 #include <Atlas/packing/internal/Elastic_layout.h>
 #include <Atlas/packing/internal/Outline.h>
+#include <Atlas/packing/internal/Overlap_search.h>
 #include <Atlas/packing/internal/Packing_shape.h>
 #include <Atlas/packing/internal/Raster_builder.h>
 #include <Atlas/packing/internal/separation.h>
@@ -26,12 +27,14 @@ struct Packing_problem
   std::vector<const Outline*> outlines; ///< of the shapes
   std::vector<Packing_shape> shapes;
   double width = 0, height = 0;
-  double gutter = 0;      ///< to be kept exactly
-  double tolerance = 0;   ///< of simplification, in texels
-  double least_scale = 0; ///< layouts below are of no use
+  double gutter = 0;     ///< to be kept exactly
+  double tolerance = 0;  ///< of simplification, in texels
+  Shape_layout fallback; ///< layouts of a smaller scale are of no use
   std::vector<Vec2> turns;
   bool may_turn = true;
   std::optional<Raster_masks> masks;
+  std::vector<Coarse_shape> coarse; ///< none with very many shapes
+  std::vector<Vec2> allowed_turns;  ///< empty: any
 
   /// The scale at which the charts, grown by half the gutter, fill that share of the page.
   double scale_of_share(double share) const
@@ -58,6 +61,9 @@ struct Packing_problem
   /// What shapes are grown by on a raster: not enough to keep them apart for sure, relaxing does the rest.
   double grown() const { return gutter / 2 + 0.5 * std::min({pixel(), width, height}); }
 
+  /// What pushing apart can mend.
+  double leniency() const { return 0.002 * std::sqrt(width * height); }
+
   /// The outlines in their places.
   std::vector<Placed_outline> placed(const Shape_layout& layout) const
   {
@@ -72,8 +78,9 @@ struct Packing_problem
   }
 };
 
-/// One search for a dense layout: built on a raster, relaxed, inflated, then torn down in part and rebuilt
-/// again and again. Its course depends on its number only; the longer it runs the better it gets.
+/// One search for a dense layout: built on a raster, relaxed, inflated; then shapes look for other places at
+/// larger scales, or the layout is torn down in part and rebuilt, again and again. Its course depends on its
+/// number only; the longer it runs the better it gets.
 class Packing_search
 {
 public:
@@ -82,16 +89,22 @@ public:
         frame_(problem.width, problem.height, problem.pixel()),
         elastic_(problem.shapes,
                  {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
-                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn})
+                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn}),
+        overlap_(problem.coarse,
+                 {problem.width, problem.height, problem.gutter - problem.leniency(),
+                  problem.gutter / 2 + problem.tolerance, problem.allowed_turns},
+                 987654 + 104729 * number)
   {}
 
   /// The best layout so far that keeps the gutter exactly; its scale is 0 if there is none yet.
   const Shape_layout& best() const { return best_; }
-  std::uint64_t work() const { return work_ + elastic_.work(); }
+  std::uint64_t work() const { return work_ + elastic_.work() + overlap_.work(); }
 
   /// Builds the first layout.
   void start(const Execution& execution)
   {
+    best_ = current_ = problem_->fallback;
+    elastic_.assign(best_);
     std::optional<Shape_layout> layout = build(execution);
     if (!layout)
       return;
@@ -110,7 +123,7 @@ public:
   void restart(const Shape_layout& layout)
   {
     elastic_.assign(layout);
-    current_ = layout;
+    current_ = candidate_ = layout;
     if (layout.scale > best_.scale)
       best_ = layout;
   }
@@ -122,6 +135,33 @@ public:
       return;
     while (work() < work_limit && !execution.is_cancelled())
       improve();
+  }
+
+  /// Looks for quite other layouts, at larger scales, until that much work has been done. A scale at which
+  /// shapes overlap in the end is not lost: pushed apart at a smaller one, they often are better than before.
+  void explore(std::uint64_t work_limit, const Execution& execution)
+  {
+    if (best_.scale <= 0 || problem_->coarse.empty())
+      return;
+    if (candidate_.positions.empty())
+      candidate_ = best_;
+    while (work() < work_limit && !execution.is_cancelled()) {
+      const double before = best_.scale;
+      candidate_.scale = before * (1 + step_);
+      const bool is_free = overlap_.solve(candidate_, patience, overlap_.work() + (work_limit - work()));
+      work_ += 1000;
+      settle(candidate_);
+      const bool is_worth_while = is_free || best_.scale > before * (1 + 0.5 * step_);
+      step_ = is_worth_while ? std::min(largest_step, 1.3 * step_) : std::max(least_step, 0.6 * step_);
+      if (best_.scale > before)
+        candidate_ = best_;
+      else {
+        if (below(3) == 0)
+          candidate_ = best_;
+        disturb(candidate_);
+      }
+    }
+    current_ = best_;
   }
 
   /// Lowers the scale of the best layout; false if that cannot be done.
@@ -138,6 +178,9 @@ public:
   }
 
 private:
+  static constexpr int patience = 15; ///< sweeps without gain after which a search for places is given up
+  static constexpr double largest_step = 0.04, least_step = 0.008; ///< of the scale
+
   static double slack() { return 0.02; }
   /// What the first layout may cost before it is taken as it is.
   std::uint64_t start_work() const { return 50'000'000 + 20'000 * problem_->shapes.size(); }
@@ -168,12 +211,13 @@ private:
     std::vector<Index> sequence = order();
     const Packing_problem& p = *problem_;
     const int tries = p.shapes.size() <= 300 ? 2 : 1;
-    double scale = std::min(p.scale_of_share(0.74), 1.45 * p.least_scale);
+    double scale = std::min(p.scale_of_share(0.74), 1.45 * p.fallback.scale);
     const auto attempt = [&](double s) {
-      return build_on_raster(*p.masks, p.width, p.height, s, sequence, tries, work_);
+      return build_on_raster(*p.masks, Raster_frame(p.width, p.height, p.masks->pixel(s)), s, sequence, tries,
+                             work_);
     };
     std::optional<Shape_layout> best = attempt(scale);
-    while (!best && scale > 0.98 * p.least_scale && !execution.is_cancelled()) {
+    while (!best && scale > 0.98 * p.fallback.scale && !execution.is_cancelled()) {
       scale *= 0.96;
       best = attempt(scale);
     }
@@ -186,6 +230,30 @@ private:
         scale *= 1 + step;
       }
     return best;
+  }
+
+  /// Pushes the shapes of a layout apart, at its scale or a smaller one that is still better than the best.
+  void settle(const Shape_layout& layout)
+  {
+    elastic_.assign(layout);
+    bool is_relaxed = elastic_.relax(60);
+    for (double scale = layout.scale; !is_relaxed && scale > best_.scale * 1.0005;) {
+      scale = std::max(best_.scale * 1.0004, 0.99 * scale);
+      elastic_.set_scale(scale);
+      is_relaxed = elastic_.relax(40);
+    }
+    if (is_relaxed && accept())
+      inflate(0.004, std::numeric_limits<std::uint64_t>::max());
+  }
+
+  /// Swaps two shapes or throws one anywhere.
+  void disturb(Shape_layout& layout)
+  {
+    const std::size_t n = layout.positions.size(), i = below(n), j = below(n);
+    if (i != j && below(3) != 0)
+      std::swap(layout.positions[i], layout.positions[j]);
+    else
+      layout.positions[i] = {uniform() * problem_->width, uniform() * problem_->height};
   }
 
   /// Takes the present layout as the best if it is better and passes the exact test. Charts that fail get
@@ -345,7 +413,9 @@ private:
   std::mt19937_64 random_;
   Raster_frame frame_;
   Elastic_layout elastic_;
-  Shape_layout best_, current_;
+  Overlap_search overlap_;
+  Shape_layout best_, current_, candidate_;
+  double step_ = 0.03; ///< by which the next scale is larger
   std::uint64_t work_ = 0;
 };
 

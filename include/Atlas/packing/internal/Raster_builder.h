@@ -188,13 +188,15 @@ private:
 /// Places all shapes in the given order, each where it touches most of what is there; with many shapes, in
 /// the lowest rows that have room. A shape that finds no place moves forward in the order, and all begins
 /// anew, at most `tries` times.
-inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, double width, double height,
+///
+/// \param empty  the page, empty but for what is not to be moved
+inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, const Raster_frame& empty,
                                                    double scale, std::vector<Index>& order, int tries,
                                                    std::uint64_t& work)
 {
   const std::size_t n = masks.number_of_shapes(), turns = masks.turns().size();
   const bool is_banded = n > 300;
-  Raster_frame frame(width, height, masks.pixel(scale));
+  Raster_frame frame = empty;
   Shape_layout layout{scale, std::vector<Vec2>(n, Vec2{1, 0}), std::vector<Vec2>(n)};
   Row_hints hints;
   const auto place = [&](Index i) {
@@ -226,7 +228,7 @@ inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, do
   };
   for (int t = 0; t < tries; ++t) {
     if (t > 0)
-      frame.page.clear();
+      frame = empty;
     hints = Row_hints();
     std::size_t k = 0;
     while (k < n && place(order[k]))

@@ -21,22 +21,36 @@ struct Search_budget
   /// With more charts than this the horizon layout stays: a search takes tens of seconds then.
   std::size_t max_charts = std::numeric_limits<std::size_t>::max();
   unsigned searches = 4;            ///< side by side
-  std::uint64_t round = 30'000'000; ///< operations of each search between two looks at the others
-  unsigned rounds = 0;
+  std::uint64_t round = 36'000'000; ///< operations of each search between two looks at the others
+  unsigned rounds = 1;
+
+  /// What that many shapes are worth: few have been tried in every way soon.
+  std::uint64_t round_for(std::size_t shapes) const
+  {
+    return round * std::min<std::size_t>(shapes + 1, 6) / 6;
+  }
 };
+
+/// Up to that many shapes look for places by their overlaps; beyond, overlaps of all pairs are too many.
+inline constexpr std::size_t max_shapes_of_exploration = 400;
+/// Up to that many shapes, taking out and putting back gains less than looking for other layouts.
+inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 
 /// The shapes of the outlines that are not empty, with resolutions that suit the page.
 inline Packing_problem packing_problem(const Outlines& outlines, const Page_options& page,
                                        const Layout& fallback, const Execution& execution)
 {
   Packing_problem problem;
-  for (const Outline& outline : outlines.charts)
-    if (!outline.is_empty())
-      problem.outlines.push_back(&outline);
+  problem.fallback.scale = fallback.scale;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (!outlines.charts[i].is_empty()) {
+      problem.outlines.push_back(&outlines.charts[i]);
+      problem.fallback.turns.push_back(fallback.turns[i]);
+      problem.fallback.positions.push_back(fallback.positions[i]);
+    }
   problem.width = page.width;
   problem.height = page.height;
   problem.gutter = 2 * fallback.margin;
-  problem.least_scale = fallback.scale;
   problem.tolerance = 0.05;
   problem.may_turn = page.rotation == Chart_rotation::any;
   problem.turns = rotations(problem.may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
@@ -52,7 +66,17 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Page_opti
   problem.shapes.resize(problem.outlines.size());
   execution.for_each(problem.shapes.size(), [&](std::size_t i) {
     problem.shapes[i] = packing_shape(*problem.outlines[i], resolution, problem.may_turn);
+    Vec2& turn = problem.fallback.turns[i]; // relative to the frame from now on
+    turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
   });
+  if (problem.shapes.size() <= max_shapes_of_exploration) {
+    problem.coarse.resize(problem.shapes.size());
+    execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+      problem.coarse[i].build(problem.shapes[i], 0.007 * side / scale, 0.2 * side / scale, 48);
+    });
+    if (!problem.may_turn)
+      problem.allowed_turns = problem.turns;
+  }
   if (execution.is_cancelled())
     return problem;
   const std::vector<Vec2> turns = rotations(problem.may_turn                        ? 8
@@ -67,6 +91,7 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Page_opti
 inline Shape_layout search_layout(const Packing_problem& problem, const Search_budget& budget,
                                   double most_scale, const Execution& execution)
 {
+  const std::size_t n = problem.shapes.size();
   std::vector<Packing_search> searches;
   for (unsigned k = 0; k < budget.searches; ++k)
     searches.emplace_back(problem, k);
@@ -78,8 +103,13 @@ inline Shape_layout search_layout(const Packing_problem& problem, const Search_b
   for (unsigned r = 0; r < budget.rounds && best()->best().scale < most_scale; ++r) {
     if (!execution.proceed((r + 1.0) / (budget.rounds + 1)))
       break;
-    execution.for_each(searches.size(),
-                       [&](std::size_t k) { searches[k].run(searches[k].work() + budget.round, execution); });
+    execution.for_each(searches.size(), [&](std::size_t k) {
+      const std::uint64_t limit = searches[k].work() + budget.round_for(n);
+      if (n <= max_shapes_of_pure_exploration || (n <= max_shapes_of_exploration && (r + k) % 2 == 0))
+        searches[k].explore(limit, execution);
+      else
+        searches[k].run(limit, execution);
+    });
     // Now and then the search that is worst goes on from where the best is.
     if (r % 8 == 7) {
       const auto worst = std::min_element(searches.begin(), searches.end(), [](const auto& a, const auto& b) {
