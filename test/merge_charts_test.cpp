@@ -25,6 +25,7 @@ Merge_options unlimited()
   Merge_options options;
   options.max_area_share = 1;
   options.min_solidity = 0;
+  options.orders = 1;
   return options;
 }
 
@@ -158,6 +159,7 @@ TEST(MergeCharts, LimitsTheShareOfAChart)
 {
   const Surface s = bumpy_torus();
   Merge_options options;
+  options.orders = 1;
   options.solidity_of_large_charts = 2; // never reached
   options.max_distortion = 2;
   for (const double share : {0.12, 0.3}) {

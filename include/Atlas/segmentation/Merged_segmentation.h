@@ -9,6 +9,7 @@
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/Seam_surroundings.h>
+#include <Atlas/segmentation/internal/respect_unwanted_seams.h>
 #include <Atlas/segmentation/internal/trial_of_chart.h>
 #include <Atlas/segmentation/merge_charts.h>
 #include <Atlas/segmentation/smooth_borders.h>
@@ -25,7 +26,9 @@ namespace Atlas {
 /// \tparam Parameterizer  flattens unions for trial
 /// \tparam Optimizer      lowers their distortion
 ///
-/// The charts are discs. A model of `ChartSegmentation`. See `merge_charts()`.
+/// The charts are discs. Edges that must not be seams (`Edge_constraint::no_seam`) are none wherever discs
+/// can be had otherwise, and seams keep off edges where they cost much (`Surface::seam_cost`). A model of
+/// `ChartSegmentation`. See `merge_charts()`.
 template <ChartSegmentation Base, ChartParameterizer Parameterizer, UVOptimizer Optimizer>
 class Merged_segmentation
 {
@@ -45,6 +48,7 @@ public:
   Segmentation segment(const Surface& surface, const Execution& execution) const
   {
     Segmentation segmentation = base_.segment(surface, execution);
+    internal::respect_unwanted_seams(surface, segmentation);
     if (!execution.is_cancelled())
       cut_to_discs(surface, segmentation, execution);
     // Straight arcs between the many charts: what remains of them are short seams, slits included.
@@ -62,14 +66,13 @@ public:
 private:
   /// How far borders move at a time, in rings of triangles.
   static constexpr std::array smoothing_rings{8, 4, 2};
-  /// Charts have about so many triangles when they are flattened to see whether smoothing keeps the bound.
-  static constexpr double triangles_of_smoothed_charts = 400;
 
   void smooth_within_bound(const Surface& surface, Segmentation& segmentation,
                            const Execution& execution) const
   {
     const int reach = std::accumulate(smoothing_rings.begin(), smoothing_rings.end(), 1);
-    internal::Seam_surroundings around(surface, segmentation, reach, triangles_of_smoothed_charts);
+    internal::Seam_surroundings around(surface, segmentation, reach,
+                                       internal::triangles_of_smoothed_charts(options_));
     Smoothing_options options;
     internal::Segmentation_smoother smoother(around.surface(), around.segmentation(), around.limits(),
                                              options);

@@ -69,6 +69,11 @@ Merger best_merger(const Merger& unmerged, const Merge_options& options, const E
 /// difference, and whoever needs certainty flattens and validates the charts afterwards. Seams that the user
 /// asks for and the limits of patches stay. Deterministic for any number of threads.
 ///
+/// Seams count by their length times `Surface::seam_cost`, and very much where the user wants none: such
+/// borders go first. Merging is done in several orders, and the result with the shortest seams is taken. With
+/// `max_charts` or `min_chart_area`, merging goes on past the bound, in steps, until the wish is met or no
+/// more unions are discs.
+///
 /// The cost is that of O(charts) flattenings of a few hundred triangles, and O(n) for the coarse surface.
 template <ChartParameterizer Parameterizer, UVOptimizer Optimizer>
 void merge_charts(const Surface& surface, Segmentation& segmentation, const Merge_options& options,

@@ -12,6 +12,7 @@
 #include <Atlas/segmentation/internal/Coarse_surface.h>
 #include <Atlas/segmentation/internal/layout_shape.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -60,12 +61,18 @@ inline Chart coarse_chart(const Chart& chart, double triangles)
   return result;
 }
 
+/// About how many triangles a chart has when it is flattened to see whether smoothing keeps the bound.
+inline double triangles_of_smoothed_charts(const Merge_options& options)
+{
+  constexpr double least = 400, charts_in_one = 6;
+  return std::max(least, charts_in_one * options.triangles_per_chart);
+}
+
 /// Whether the chart stays within the bounds when it is flattened, as far as a coarse copy of it tells.
 template <typename Flatten>
 bool passes_trial(const Chart& chart, double whole_area, const Merge_options& options, const Flatten& flatten)
 {
-  constexpr double trial_triangles = 400;
-  Chart coarse = coarse_chart(chart, trial_triangles);
+  Chart coarse = coarse_chart(chart, triangles_of_smoothed_charts(options));
   if (flatten(coarse) != Chart_status::valid || !is_within_bound(coarse, options))
     return false;
   const double filled = solidity(coarse);
