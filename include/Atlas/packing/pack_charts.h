@@ -65,7 +65,8 @@ inline Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2
 /// \param uv  per corner of the input: its coordinates; not finite where there are none
 ///
 /// Charts keep their relative sizes, but for `page.weights`; overlapping or folded charts are packed as they
-/// are. Charts are numbered in the order of their first triangles.
+/// are. Charts are numbered in the order of their first triangles. Where there is no room at all, the packing
+/// has no page and coordinates are left alone.
 template <ChartPacker Packer = Raster_packer>
 Repacked_charts pack_charts(const Surface& surface, std::span<const Point_2> uv,
                             const Page_options& page = {}, const Packer& packer = Packer(),
@@ -89,6 +90,8 @@ Repacked_charts pack_charts(const Surface& surface, std::span<const Point_2> uv,
     result.charts.push_back(std::move(chart));
   }
   result.packing = packer.pack(result.charts, page, execution);
+  if (result.packing.number_of_pages == 0)
+    return result;
   for (std::size_t c = 0; c < triangles.size(); ++c) {
     const Placement& placement = result.packing.placements[c];
     for (const Index t : triangles[c])
