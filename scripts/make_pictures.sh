@@ -24,4 +24,18 @@ small "$folder/bunny00.png" bunny.png 1400
 small "$folder/camel_page.png" camel_page.png 700
 small "$folder/camel_view.png" camel_view.png 700
 small "$folder/camel_stretch.png" camel_stretch.png 700
+
+# Colours at vertices, as a scanner gives them (here stripes and spots by position), baked into the page of few charts.
+awk 'NF == 0 { next }
+     line++ == 0 { print "COFF"; next }
+     line == 2 { n = $1 }
+     line > 2 && line <= n + 2 { r = 0.5 + 0.5 * sin(90 * $2); g = 0.5 + 0.5 * sin(70 * $1 + 50 * $3); b = 0.5 + 0.5 * cos(60 * $2)
+                             printf "%s %s %s %d %d %d 255\n", $1, $2, $3, 255 * r, 90 + 160 * g, 255 * b; next }
+     { print }' "$folder/bunny00.off" >"$folder/colored.off"
+"$atlas_root/build/example/examples/texture_atlas" "$folder/colored.off" -o "$folder/colored.obj" \
+  --bake colors --bake normals --bake occlusion >&2
+for name in color normal occlusion view; do
+  pngtopnm "$folder/colored_$name.png" | pnmscale -xsize 480 -ysize 480 >"$folder/$name.pnm"
+done
+pnmcat -lr "$folder"/{color,normal,occlusion,view}.pnm | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/bake.png"
 ls -l "$atlas_root/doc/pictures" >&2
