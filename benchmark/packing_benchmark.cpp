@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Prints the table of the manual: efficiency and time of each packer on the charts of meshes.
 //
-// Usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] FILE.obj...
+// Usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--pictures PREFIX] FILE.obj...
 // A file with texture coordinates is packed anew as it is; the charts of any other are made by the default
-// segmentation and flattening.
+// segmentation and flattening. With --pictures nothing is measured: the page of each packer for the first
+// file, which needs coordinates, becomes PREFIX_rectangles.png, ..., PREFIX_best.png.
+#include <Atlas/IO/draw_atlas.h>
 #include <Atlas/IO/read_obj.h>
+#include <Atlas/IO/write_png.h>
 #include <Atlas/build_surface.h>
 #include <Atlas/default_policies.h>
 #include <Atlas/extract_charts.h>
@@ -95,26 +98,61 @@ double run(const Packer& packer, const std::vector<Chart>& charts, const Page_op
   return efficiency;
 }
 
+/// Draws the page that a packer makes of the coordinates of a mesh.
+template <typename Packer>
+void draw(const Packer& packer, Polygon_soup soup, const Surface& surface, const Page_options& page,
+          const std::string& picture, const Execution& execution)
+{
+  const Repacked_charts repacked = pack_charts(surface, soup.uv, page, packer, execution);
+  soup.uv = repacked.uv;
+  std::vector<Index> face_chart(soup.number_of_faces(), no_index);
+  for (std::size_t t = 0; t < surface.number_of_triangles(); ++t)
+    face_chart[surface.face[t]] = repacked.segmentation.chart[t];
+  write_png(picture, draw_atlas(soup, face_chart, 512));
+}
+
+void draw_all(const std::string& file, const std::string& prefix, const Page_options& page,
+              const Execution& execution)
+{
+  const Polygon_soup soup = read_obj(file);
+  const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
+  const auto draw_one = [&](const auto& packer, const char* name) {
+    draw(packer, soup, surface, page, prefix + "_" + name + ".png", execution);
+  };
+  draw_one(Rectangle_packer(), "rectangles");
+  draw_one(Horizon_packer(), "horizon");
+  draw_one(Raster_packer(Packing_effort::fast), "fast");
+  draw_one(Raster_packer(Packing_effort::best), "best");
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 try {
   Page_options page;
   std::vector<std::string> files;
+  std::string pictures;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--size" && i + 1 < argc)
       page.width = page.height = static_cast<Index>(std::strtoul(argv[++i], nullptr, 10));
     else if (argument == "--gutter" && i + 1 < argc)
       page.gutter = std::strtod(argv[++i], nullptr);
+    else if (argument == "--pictures" && i + 1 < argc)
+      pictures = argv[++i];
     else
       files.push_back(argument);
   }
   if (files.empty()) {
-    std::fprintf(stderr, "usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] FILE...\n");
+    std::fprintf(stderr,
+                 "usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--pictures PREFIX] FILE...\n");
     return 2;
   }
   const Execution execution(0);
+  if (!pictures.empty()) {
+    draw_all(files.front(), pictures, page, execution);
+    return 0;
+  }
   std::printf("%-24s charts | rectangles      | horizon         | fast            | normal          | best\n",
               "input");
   double sums[5] = {};

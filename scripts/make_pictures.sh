@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" libcgal-demo netpbm
+install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" libcgal-demo netpbm libbenchmark-dev
 build example texture_atlas
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
@@ -38,4 +38,14 @@ for name in color normal occlusion view; do
   pngtopnm "$folder/colored_$name.png" | pnmscale -xsize 480 -ysize 480 >"$folder/$name.pnm"
 done
 pnmcat -lr "$folder"/{color,normal,occlusion,view}.pnm | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/bake.png"
+# The pages of four packers for the same charts, side by side: rectangles, horizon, fast, best.
+build benchmark packing_benchmark
+tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz data/meshes/dino.off >"$folder/dino.off"
+"$atlas_root/build/example/examples/texture_atlas" "$folder/dino.off" -o "$folder/dino.obj" >&2
+"$atlas_root/build/benchmark/benchmark/packing_benchmark" --pictures "$folder/packer" "$folder/dino.obj"
+for packer in rectangles horizon fast best; do
+  pngtopnm "$folder/packer_$packer.png" >"$folder/packer_$packer.ppm"
+done
+pnmcat -white -lr "$folder"/packer_{rectangles,horizon,fast,best}.ppm | pnmtopng >"$folder/packers.png"
+small "$folder/packers.png" packers.png 1400
 ls -l "$atlas_root/doc/pictures" >&2
