@@ -23,10 +23,10 @@ struct Merge_options
   double min_solidity = 0.55;
   /// No two edges of the border of such a chart come closer in the plane than this share of their length: a
   /// chart that keeps off itself in outline will do so in detail.
-  double min_gap = 0.07;
+  double min_gap = 0.05;
   /// Charts do not merge if their common border differs more between their layouts: root mean square
   /// distance after rigid alignment over the square root of the area.
-  double max_misfit = 0.12;
+  double max_misfit = 0.2;
   /// About how many triangles each chart has on the coarse surface on which charts are flattened for trial.
   double triangles_per_chart = 60;
   /// Charts whose union has more triangles on the coarse surface do not merge: this bounds the cost of a
@@ -58,8 +58,6 @@ inline Merge_options few_seams_options()
   options.max_area_share = 1;
   options.solidity_of_large_charts = 0.45;
   options.min_solidity = 0.45;
-  options.min_gap = 0.05;
-  options.max_misfit = 0.2;
   return options;
 }
 

@@ -66,6 +66,9 @@ public:
 private:
   /// How far borders move at a time, in rings of triangles.
   static constexpr std::array smoothing_rings{8, 4, 2};
+  /// How much cheaper seams along sharp edges are then: less than before merging, since what has become of a
+  /// border shall be short.
+  static constexpr double discount_after_merging = 0.4;
 
   void smooth_within_bound(const Surface& surface, Segmentation& segmentation,
                            const Execution& execution) const
@@ -74,6 +77,7 @@ private:
     internal::Seam_surroundings around(surface, segmentation, reach,
                                        internal::triangles_of_smoothed_charts(options_));
     Smoothing_options options;
+    options.sharp_discount = discount_after_merging;
     internal::Segmentation_smoother smoother(around.surface(), around.segmentation(), around.limits(),
                                              options);
     const double area = area_3d(surface);
