@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Proves, or disproves, that the texture coordinates of a mesh file are a valid atlas, whoever made them.
 #include <Atlas/IO/draw_atlas.h>
+#include <Atlas/IO/pages.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_png.h>
 #include <Atlas/IO/write_report.h>
@@ -26,7 +27,7 @@ struct Arguments
   std::string file, picture;
   Atlas::Certificate_options certificate;
   unsigned threads = 0;
-  bool is_json = false;
+  bool is_json = false, has_tiles = false;
 };
 
 void print(const Atlas::Atlas_certificate& c)
@@ -63,15 +64,17 @@ std::vector<Atlas::Index> faces_to_blame(const Atlas::Atlas_certificate& c)
 
 int run(const Arguments& arguments)
 {
-  const Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
+  Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
   if (soup.uv.empty())
     throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
+  if (arguments.has_tiles)
+    separate_udim(soup);
   const Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
-  const Atlas::Atlas_certificate certificate =
-      Atlas::certify(surface, soup.uv, {}, arguments.certificate, Atlas::Execution(arguments.threads));
+  const Atlas::Atlas_certificate certificate = Atlas::certify(
+      surface, soup.uv, soup.face_page, arguments.certificate, Atlas::Execution(arguments.threads));
   if (!arguments.picture.empty())
-    Atlas::write_png(arguments.picture,
-                     Atlas::draw_atlas(soup, certificate.face_chart, 1024, faces_to_blame(certificate)));
+    Atlas::write_png(arguments.picture, Atlas::draw_atlas(Atlas::sheet_of_pages(soup), certificate.face_chart,
+                                                          1024, faces_to_blame(certificate)));
   if (arguments.is_json)
     std::cout << Atlas::to_json(certificate).dump(2) << '\n';
   else
@@ -105,6 +108,8 @@ int main(int argc, char** argv)
   app.add_option("--threads", arguments.threads, "0: all cores")->capture_default_str();
   app.add_option("--picture", arguments.picture,
                  "PNG of the page; faces to blame, also for the gutter, in red");
+  app.add_flag("--udim", arguments.has_tiles,
+               "coordinates are UDIM tiles: pages beside each other, ten a row");
   app.add_flag("--json", arguments.is_json, "print JSON");
   try {
     app.parse(argc, argv);

@@ -1,24 +1,14 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # The calling contract of texture_atlas. Usage: cli_test.sh PROGRAM
-program=$(realpath "$1") || exit 2
-folder=$(mktemp -d) || exit 2
-trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+source "$(dirname "$0")/cli_helpers.sh"
 cd "$folder" || exit 2
-failures=0
-
-fail() {
-  echo "FAILED: $1"
-  failures=$((failures + 1))
-}
 
 # expect CODE LINES ARGUMENTS...: the exit code and the number of lines on stderr
 expect() {
   local code=$1 lines=$2
   shift 2
-  timeout 60 "$program" "$@" >stdout 2>stderr </dev/null
-  local got=$?
-  [ $got -eq "$code" ] || fail "exit code $got instead of $code: $* ($(head -n 1 stderr))"
+  run "$code" "$@"
   [ "$(wc -l <stderr)" -eq "$lines" ] || fail "$(wc -l <stderr) lines on stderr instead of $lines: $*"
 }
 
@@ -221,5 +211,4 @@ timeout -s INT 1 "$program" big.obj -o out/a.obj >stdout 2>stderr
 [ "$(wc -l <stderr)" -eq 1 ] || fail "an interruption is told in one line: $(cat stderr)"
 files
 
-[ $failures -eq 0 ] && echo "all passed"
-exit $((failures > 0))
+finish

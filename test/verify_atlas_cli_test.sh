@@ -1,28 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # The calling contract of verify_atlas. Usage: verify_atlas_cli_test.sh PROGRAM
-program=$(realpath "$1") || exit 2
-folder=$(mktemp -d) || exit 2
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "$0")/cli_helpers.sh"
 cd "$folder" || exit 2
-failures=0
-
-fail() {
-  echo "FAILED: $1"
-  failures=$((failures + 1))
-}
-
-# expect CODE PATTERN ARGUMENTS...: the exit code, and what stdout (0 and 1) or the one line on stderr (2) must match
-expect() {
-  local code=$1 pattern=$2 stream=stdout
-  shift 2
-  timeout 60 "$program" "$@" >stdout 2>stderr </dev/null
-  local got=$?
-  [ $got -eq "$code" ] || fail "exit code $got instead of $code: $* ($(head -n 1 stderr))"
-  [ "$code" -eq 2 ] && stream=stderr
-  grep -q -e "$pattern" $stream || fail "no '$pattern' on $stream: $*"
-  [ "$code" -eq 2 ] || [ ! -s stderr ] || fail "something on stderr: $*"
-}
 
 # square NAME U: two triangles, the second one shifted to the left by U where it does not touch the first
 square() {
@@ -108,45 +88,66 @@ ply() {
 ply apart.ply "$apart"
 ply stacked.ply "$stacked"
 
-expect 0 '^valid' apart.gltf
-expect 0 'charts  *2$' apart.gltf --gutter 4
-expect 0 'mirrored  *2$' apart.gltf # v runs down in glTF: read as they are drawn
-expect 1 'NOT VALID: 1 overlapping pairs of triangles between charts$' stacked.gltf
-expect 0 '"overlaps_between_charts": 0' crossed.gltf --json
-expect 1 'charts 0 texels apart instead of 1' crossed.gltf --gutter 1
-expect 0 '^valid' apart.ply
-expect 0 'charts  *2$' apart.ply --gutter 4
-expect 1 'NOT VALID: 1 overlapping pairs of triangles between charts$' stacked.ply
-expect 0 '^valid' good.obj
-expect 0 'charts  *1$' good.obj --texture-size 512 --gutter 4
-expect 1 'border of the page' good.obj --texture-size 8 --gutter 6
-expect 0 '"is_valid": true' good.obj --json
-expect 0 '"page_border_distance_texels": 256.0' good.obj --json
-expect 1 'NOT VALID: 1 flipped' flipped.obj
-expect 1 '"is_valid": false' flipped.obj --json
-expect 1 '1 flat triangles' flat.obj
-expect 1 '1 triangles without finite coordinates' nan.obj
-expect 0 '^valid' wedge.ply
-expect 0 '^valid' wedge.ply --precision single
-expect 1 'NOT VALID' flipped.obj --picture page.png
+expect_match 0 '^valid' apart.gltf
+expect_match 0 'charts  *2$' apart.gltf --gutter 4
+expect_match 0 'mirrored  *2$' apart.gltf # v runs down in glTF: read as they are drawn
+expect_match 1 'NOT VALID: 1 overlapping pairs of triangles between charts$' stacked.gltf
+expect_match 0 '"overlaps_between_charts": 0' crossed.gltf --json
+expect_match 1 'charts 0 texels apart instead of 1' crossed.gltf --gutter 1
+expect_match 0 '^valid' apart.ply
+expect_match 0 'charts  *2$' apart.ply --gutter 4
+expect_match 1 'NOT VALID: 1 overlapping pairs of triangles between charts$' stacked.ply
+expect_match 0 '^valid' good.obj
+expect_match 0 'charts  *1$' good.obj --texture-size 512 --gutter 4
+expect_match 1 'border of the page' good.obj --texture-size 8 --gutter 6
+expect_match 0 '"is_valid": true' good.obj --json
+expect_match 0 '"page_border_distance_texels": 256.0' good.obj --json
+expect_match 1 'NOT VALID: 1 flipped' flipped.obj
+expect_match 1 '"is_valid": false' flipped.obj --json
+expect_match 1 '1 flat triangles' flat.obj
+expect_match 1 '1 triangles without finite coordinates' nan.obj
+expect_match 0 '^valid' wedge.ply
+expect_match 0 '^valid' wedge.ply --precision single
+expect_match 1 'NOT VALID' flipped.obj --picture page.png
 [ "$(head -c 4 page.png | tail -c 3)" = PNG ] || fail "no picture"
-expect 0 '^valid' good.obj --picture before.png
-expect 1 'border of the page' good.obj --texture-size 8 --gutter 6 --picture after.png
+expect_match 0 '^valid' good.obj --picture before.png
+expect_match 1 'border of the page' good.obj --texture-size 8 --gutter 6 --picture after.png
 cmp -s before.png after.png && fail "the picture does not show faults of the gutter"
-expect 0 'Usage' --help
-expect 2 'no texture coordinates' bare.obj
-expect 2 'missing.obj' missing.obj
-expect 2 'broken.glb' broken.glb
-expect 2 'nowhere' good.obj --picture nowhere/page.png
-expect 2 'texture-size' good.obj --texture-size 0
-expect 2 'gutter' good.obj --gutter -1
-expect 2 'precision' good.obj --precision half
-expect 2 'wrong' good.obj --wrong
-expect 2 'FILE'
+expect_match 0 'Usage' --help
+expect_match 2 'no texture coordinates' bare.obj
+expect_match 2 'missing.obj' missing.obj
+expect_match 2 'broken.glb' broken.glb
+expect_match 2 'nowhere' good.obj --picture nowhere/page.png
+expect_match 2 'texture-size' good.obj --texture-size 0
+expect_match 2 'gutter' good.obj --gutter -1
+expect_match 2 'precision' good.obj --precision half
+expect_match 2 'wrong' good.obj --wrong
+expect_match 2 'FILE'
 if [ -w /dev/full ]; then
   timeout 60 "$program" good.obj >/dev/full 2>stderr
   [ $? -eq 2 ] || fail "exit code on a full disk"
 fi
 
-[ $failures -eq 0 ] && echo "all as agreed"
-exit $((failures > 0))
+# Tiles: two squares side by side, each on a page of its own.
+cat >tiles.obj <<OBJ
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 3 0 0
+v 4 0 0
+v 4 1 0
+vt 0.2 0.2
+vt 0.8 0.2
+vt 0.8 0.8
+vt 1.2 0.2
+vt 1.8 0.2
+vt 1.8 0.8
+f 1/1 2/2 3/3
+f 4/4 5/5 6/6
+OBJ
+expect_match 1 'outside' tiles.obj
+expect_match 0 '^valid' tiles.obj --udim --gutter 8 --picture tiles.png
+[ -s tiles.png ] || fail "no picture of the tiles"
+sed 's/^vt 1/vt 0/' tiles.obj >piled.obj
+expect_match 1 'between charts' piled.obj --udim
+finish

@@ -275,6 +275,12 @@ void print_unfulfilled(const Options& options, const Atlas::Atlas_report& report
                  report.charts.size());
 }
 
+int say_interrupted()
+{
+  print_error("interrupted; nothing has been written");
+  return interrupted;
+}
+
 int run(const Options& options)
 {
   const Stopwatch reading;
@@ -289,21 +295,21 @@ int run(const Options& options)
   std::vector<Atlas::Point_2> uv;
   const Atlas::Atlas_report report = make_atlas(options, model, surface, uv, std::ref(progress));
   progress.finish();
-  if (report.status == Atlas::Atlas_status::cancelled) {
-    print_error("interrupted; nothing has been written");
-    return interrupted;
-  }
+  if (report.status == Atlas::Atlas_status::cancelled)
+    return say_interrupted();
   if (report.status == Atlas::Atlas_status::no_surface) {
     print_error(options.mesh + ": " + message(report.status));
     return not_valid;
   }
 
   const Stopwatch writing;
+  const Atlas::Execution execution(options.threads, [](double) { return !is_interrupted; });
   model.old_uv = std::exchange(model.uv, std::move(uv));
-  if (report.pages > 1)
-    model.face_page = report.face_page;
+  model.face_page = report.face_page;
   start_polygons_at_fans(surface, model);
-  const std::vector<std::string> names = write_outputs(options, model, report, source);
+  const std::vector<std::string> names = write_outputs(options, model, report, source, execution);
+  if (execution.is_cancelled())
+    return say_interrupted();
   if (!options.is_quiet) {
     print_rejected(report);
     print_unfulfilled(options, report);

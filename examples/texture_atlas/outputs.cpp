@@ -87,8 +87,9 @@ const char* suffix_of(Bake what)
 class Baker
 {
 public:
-  Baker(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Source_textures& source)
-      : options_(options), model_(model), source_(source), execution_(options.threads)
+  Baker(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Source_textures& source,
+        const Atlas::Execution& execution)
+      : options_(options), model_(model), source_(source), execution_(execution)
   {}
 
   Textures operator()(Bake what) const
@@ -201,7 +202,8 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
 
 std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
                                        const Atlas::Atlas_report& report,
-                                       const Atlas::Source_textures& source)
+                                       const Atlas::Source_textures& source,
+                                       const Atlas::Execution& execution)
 {
   Outputs outputs;
   const fs::path output = options.output;
@@ -209,7 +211,7 @@ std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_so
   if (is_device) {
     outputs.add(output, Atlas::obj_text(model, ""));
   } else {
-    const Baker bake(options, model, source);
+    const Baker bake(options, model, source, execution);
     const Textures textures = texture_of_model(options, model, bake);
     if (options.has(Bake::colors))
       model.colors.clear(); // they are in the texture now
@@ -226,5 +228,7 @@ std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_so
   if (!is_device || !options.report.empty())
     outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
                 Atlas::json_text(json));
+  if (!execution.proceed(1))
+    return {};
   return outputs.commit();
 }

@@ -4,6 +4,7 @@
 #define TEXTURE_ATLAS_H
 
 #include <Atlas/Atlas_report.h>
+#include <Atlas/Execution.h>
 #include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/Source_textures.h>
 #include <Atlas/Packing.h>
@@ -37,10 +38,11 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
                                Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
                                const std::function<bool(Atlas::Stage, double)>& progress);
 
-/// Writes everything or nothing. `source` are the textures that the model had. Returns the names of what has
-/// been written.
+/// Writes everything or nothing; nothing once cancelled. `source` are the textures that the model had.
+/// Returns the names of what has been written.
 std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
                                        const Atlas::Atlas_report& report,
-                                       const Atlas::Source_textures& source);
+                                       const Atlas::Source_textures& source,
+                                       const Atlas::Execution& execution);
 
 #endif

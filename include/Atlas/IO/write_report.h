@@ -53,6 +53,7 @@ inline Json to_json(const Atlas_certificate& c)
           {"page_border_distance_texels", c.page_border_distance},
           {"texels_per_unit_min", c.density_min},
           {"texels_per_unit_max", c.density_max},
+          {"crowded_faces", c.crowded_faces},
           {"culprits", c.culprits},
           {"are_culprits_complete", c.are_culprits_complete}};
 }

@@ -157,6 +157,8 @@ Image bake_texture(const Polygon_soup& soup, std::size_t size, Shader shader, In
   const std::vector<Index> nearest = nearest_texels(is_covered, size, size);
   Image image(size, size, {128, 128, 128});
   execution.for_each(size, [&](std::size_t row) {
+    if (!execution.proceed(double(row) / double(size)))
+      return;
     for (std::size_t i = row * size; i < (row + 1) * size; ++i)
       if (is_covered[i])
         image.pixels[i] = shader(raster.sample(i));
