@@ -14,7 +14,7 @@ struct Merge_options
   /// What is bounded.
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   /// The bound of each chart that comes from merging, as flattened on the coarse surface.
-  double max_distortion = 1.04;
+  double max_distortion = 1.037;
   /// Charts get no larger than this share of the surface's area, or pages would not pack ...
   double max_area_share = 0.25;
   /// ... unless they fill this share of their convex hull.
