@@ -49,7 +49,7 @@ struct Merge_options
 };
 
 /// Fewer charts and shorter seams for more distortion: a bound of 1.05, and charts as large and as ramified
-/// as it allows. On the eight meshes of the manual's table a fifth of UVAtlas's charts and less than two
+/// as it allows. On the eight meshes of the manual's table a quarter of UVAtlas's charts and less than two
 /// thirds of its seams; pages fill less well, since a large chart leaves gaps that nothing can fill.
 inline Merge_options few_seams_options()
 {
