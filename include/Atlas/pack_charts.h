@@ -46,12 +46,7 @@ Packing pack_charts(const FaceListGraph& mesh, HalfedgeUVMap uv,
   using CGAL::parameters::get_parameter;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
-  std::vector<Point_2> corner_uv;
-  corner_uv.reserve(view.halfedges.size());
-  for (const auto h : view.halfedges) {
-    const auto& p = get(uv, h);
-    corner_uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  }
+  const std::vector<Point_2> corner_uv = internal::read_corner_uv(view, uv);
   const auto packer = choose_parameter(get_parameter(np, internal::packer_t()), Raster_packer());
   static_assert(ChartPacker<std::remove_cvref_t<decltype(packer)>>, "the packer must model ChartPacker");
   const Execution execution(

@@ -35,12 +35,7 @@ verify_atlas(const FaceListGraph& mesh, HalfedgeUVMap uv,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
-  std::vector<Point_2> corner_uv;
-  corner_uv.reserve(view.halfedges.size());
-  for (const auto h : view.halfedges) {
-    const auto& p = get(uv, h);
-    corner_uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  }
+  const std::vector<Point_2> corner_uv = internal::read_corner_uv(view, uv);
   const Page_options page = internal::page_options(np, Page_options{.gutter = 0});
   Certificate_options options;
   options.width = page.width;

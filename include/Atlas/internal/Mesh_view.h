@@ -147,6 +147,19 @@ Mesh_view<FaceListGraph> view_mesh(const FaceListGraph& mesh, const NamedParamet
   return view;
 }
 
+/// The coordinates of every corner of the input.
+template <typename FaceListGraph, typename HalfedgeUVMap>
+std::vector<Point_2> read_corner_uv(const Mesh_view<FaceListGraph>& view, HalfedgeUVMap uv)
+{
+  std::vector<Point_2> corner_uv;
+  corner_uv.reserve(view.halfedges.size());
+  for (const auto h : view.halfedges) {
+    const auto& p = get(uv, h);
+    corner_uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  }
+  return corner_uv;
+}
+
 template <typename FaceListGraph>
 void write_edge_seams(const FaceListGraph&, const Mesh_view<FaceListGraph>&, const Segmentation&,
                       Param_not_found)
