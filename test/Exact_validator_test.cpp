@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/internal/round_coordinates.h>
+#include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include "test_meshes.h"
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace Atlas {
 namespace {
@@ -220,6 +222,119 @@ TEST(ExactValidator, AnOverlapOfTheEndsCostsOneCut)
   const auto [many, many_rounds] = split_until_valid(strip(200, 15), Exact_validator(0));
   EXPECT_LE(many, 8u);
   EXPECT_LE(many_rounds, 6);
+}
+
+/// Pairs of triangles whose interiors meet, each tried with each.
+std::vector<std::pair<Index, Index>> overlapping_pairs(const Chart& chart)
+{
+  const auto corners = [&](Index t) {
+    const auto& [a, b, c] = chart.triangles[t];
+    return std::array{chart.uv[a], chart.uv[b], chart.uv[c]};
+  };
+  const auto is_apart = [](const auto& s, const auto& t) { // by the line of an edge of s
+    for (int i = 0; i < 3; ++i)
+      if (std::none_of(t.begin(), t.end(), [&](const Point_2& p) {
+            return CGAL::orientation(s[i], s[(i + 1) % 3], p) == CGAL::LEFT_TURN;
+          }))
+        return true;
+    return false;
+  };
+  std::vector<std::pair<Index, Index>> pairs;
+  for (Index s = 0; s < chart.number_of_triangles(); ++s)
+    for (Index t = s + 1; t < chart.number_of_triangles(); ++t)
+      if (!is_apart(corners(s), corners(t)) && !is_apart(corners(t), corners(s)))
+        pairs.emplace_back(s, t);
+  return pairs;
+}
+
+/// A winding stair without steps: a ribbon of so many turns about an axis, flattened by LSCM, which has to
+/// turn as far and covers itself.
+Chart winding_ribbon(double turns)
+{
+  Chart chart = chart_of(test::grid(64, 3, [turns](double x, double y) {
+    const double a = 2 * M_PI * turns * x, r = 2 + y;
+    return Point_3(-r * std::cos(a), r * std::sin(a), 0.2 * a);
+  }));
+  EXPECT_EQ(LSCM_parameterizer<>().parameterize(chart, execution), Chart_status::valid);
+  return chart;
+}
+
+TEST(ExactValidator, CutsAlongTheBorderOfTheOverlappedZone)
+{
+  // Figure 6 of the paper. The ends of the ribbon cover each other; one of the two comes off whole.
+  const Chart chart = winding_ribbon(1.3);
+  const Chart_verdict verdict = Exact_validator(0).validate(chart, execution);
+  ASSERT_EQ(verdict.status, Chart_status::overlapping);
+  std::set<Index> zone;
+  for (const auto& [s, t] : overlapping_pairs(chart))
+    zone.insert({s, t});
+  EXPECT_EQ(verdict.culprits, std::vector<Index>(zone.begin(), zone.end()));
+  EXPECT_LT(zone.size(), chart.number_of_triangles() * 2 / 3);
+
+  const std::vector<Index> parts = Exact_validator(0).split(chart, verdict);
+  ASSERT_EQ(number_of_parts(parts), 2u);
+  const std::vector<Index> opposite = internal::opposite_halfedges(chart.triangles);
+  std::size_t cuts = 0;
+  for (Index h = 0; h < opposite.size(); ++h)
+    if (opposite[h] != no_index && parts[h / 3] != parts[opposite[h] / 3]) {
+      EXPECT_NE(zone.contains(h / 3), zone.contains(opposite[h] / 3));
+      ++cuts;
+    }
+  EXPECT_GT(cuts, 0u);
+  EXPECT_LE(cuts / 2, 12u); // across the ribbon, once
+  for (Index p = 0; p < 2; ++p)
+    EXPECT_TRUE(overlapping_pairs(part_of(chart, parts, p)).empty());
+  // What comes off is a piece of the zone; the other piece stays with the rest.
+  const auto middle = static_cast<Index>(chart.number_of_triangles() / 2);
+  ASSERT_FALSE(zone.contains(middle));
+  std::size_t off = 0;
+  for (Index t = 0; t < parts.size(); ++t)
+    if (parts[t] != parts[middle]) {
+      EXPECT_TRUE(zone.contains(t));
+      ++off;
+    }
+  EXPECT_GT(off, zone.size() / 3);
+  EXPECT_LT(off, zone.size() * 2 / 3);
+}
+
+TEST(ExactValidator, GrowsTwoPartsFromTheExtremeTriangles)
+{
+  // A deep bowl; the conformal map magnifies one end of it by far.
+  Chart chart = chart_of(test::grid(24, 16, [](double x, double y) {
+    const double a = 2 * M_PI * x * 0.9, b = 0.1 + 2.4 * y;
+    return Point_3(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+  }));
+  ASSERT_EQ(LSCM_parameterizer<>().parameterize(chart, execution), Chart_status::valid);
+  const auto density = [&](Index t) {
+    const auto& [a, b, c] = chart.triangles[t];
+    return std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c])) /
+           std::abs(CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]));
+  };
+  Index low = 0, high = 0;
+  for (Index t = 1; t < chart.number_of_triangles(); ++t) {
+    low = density(t) < density(low) ? t : low;
+    high = density(t) > density(high) ? t : high;
+  }
+  ASSERT_GT(density(high) / density(low), 4);
+  const Exact_validator validator;
+  const Chart_verdict verdict = validator.validate(chart, execution);
+  ASSERT_EQ(verdict.status, Chart_status::area_ratio_exceeded);
+  EXPECT_EQ(verdict.culprits, (std::vector<Index>{std::min(low, high), std::max(low, high)}));
+  const std::vector<Index> parts = validator.split(chart, verdict);
+  ASSERT_EQ(number_of_parts(parts), 2u);
+  EXPECT_NE(parts[low], parts[high]);
+  const internal::Chart_graph graph(chart);
+  for (const Index seed : {low, high}) {
+    // Both grew from their seeds: they hang together, and their densities spread less.
+    EXPECT_EQ(graph.components([&](Index t) { return parts[t] == parts[seed]; }).second, 1u);
+    double least = density(seed), most = density(seed);
+    for (Index t = 0; t < parts.size(); ++t)
+      if (parts[t] == parts[seed]) {
+        least = std::min(least, density(t));
+        most = std::max(most, density(t));
+      }
+    EXPECT_LT(most / least, 0.9 * density(high) / density(low));
+  }
 }
 
 TEST(ExactValidator, EverythingEndsInFewRounds)

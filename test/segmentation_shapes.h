@@ -5,6 +5,7 @@
 
 #include "test_meshes.h"
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -154,6 +155,30 @@ inline Soup glove()
   Soup soup;
   for (int i = 0; i < 4; ++i)
     append(soup, finger(i, 0));
+  return soup;
+}
+
+/// A glove: a palm of 4 x 1 x 4 units with four fingers on top and a thumb at its side. Open at the wrist
+/// unless `is_closed`. Its x runs across the fingers, its z from the wrist, -4, to the fingers, 0.
+inline Soup whole_glove(bool is_closed = false)
+{
+  Soup soup = glove();
+  const auto add = [&](Soup side, const std::function<Point_3(const Point_3&)>& place) {
+    for (Point_3& p : side.points)
+      p = place(p);
+    append(soup, side);
+  };
+  const auto sheet = [](Index m, Index n) { // eight edges a unit, as fingers have
+    return grid(8 * m, 8 * n, [&](double x, double y) { return Point_3(m * x, n * y, 0); });
+  };
+  add(sheet(4, 4), [](const Point_3& p) { return Point_3(p.x(), 0, p.y() - 4); });
+  add(sheet(4, 4), [](const Point_3& p) { return Point_3(p.y(), 1, p.x() - 4); });
+  add(sheet(4, 1), [](const Point_3& p) { return Point_3(0, p.y(), p.x() - 4); });
+  for (int i = 0; i < 4; ++i)
+    add(i == 2 ? finger(0, 0) : sheet(1, 1),
+        [i](const Point_3& p) { return Point_3(4 + p.z(), p.x(), p.y() + i - 4); });
+  if (is_closed)
+    add(sheet(1, 4), [](const Point_3& p) { return Point_3(p.y(), p.x(), -4); });
   return soup;
 }
 
