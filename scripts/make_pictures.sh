@@ -48,4 +48,33 @@ for packer in rectangles horizon fast best; do
 done
 pnmcat -white -lr "$folder"/packer_{rectangles,horizon,fast,best}.ppm | pnmtopng >"$folder/packers.png"
 small "$folder/packers.png" packers.png 1400
+# The steps of segmentation as in the paper's figures 4 to 6: features, distance to seeds, distance to features and
+# charts of the bunny; the legs of the camel, rolled, and its feet, socks; a ribbon that winds over itself.
+build example segmentation_steps
+steps="$atlas_root/build/example/examples/segmentation_steps"
+# row OUT WIDTH PICTURES...: side by side, in all their colours.
+row() {
+  local out=$1 width=$2 name
+  shift 2
+  for name; do
+    pngtopnm "$folder/$name.png" >"$folder/$name.ppm"
+  done
+  pnmcat -lr $(printf "$folder/%s.ppm " "$@") | pnmscale -width "$width" |
+    pnmtopng -compression 9 >"$atlas_root/doc/pictures/$out"
+}
+"$steps" "$folder/bunny00.off" -o "$folder/bunny" --size 800
+row segmentation_steps.png 1400 bunny_{features,seeds,distance,charts}
+"$steps" "$folder/camel.off" -o "$folder/camel" --size 1600 --azimuth 40 --elevation 8
+pngtopnm "$folder/camel_charts.png" | pnmcut -left 380 -top 200 -width 860 -height 1240 | pnmtopng >"$folder/camel_left.png"
+pngtopnm "$folder/camel_charts.png" | pnmcut -left 570 -top 985 -width 300 -height 433 |
+  pnmscale -xsize 860 -ysize 1240 | pnmtopng >"$folder/camel_right.png"
+row segmentation_cylinders.png 1000 camel_left camel_right
+awk 'BEGIN {
+  m = 200; n = 24; print "OFF"; print (m + 1) * (n + 1), m * n, 0
+  for (i = 0; i <= m; ++i)
+    for (j = 0; j <= n; ++j) { a = 1.3 * 6.2831853 * i / m; r = 1.2 + 0.8 * j / n; print r * cos(a), 0.28 * a, -r * sin(a) }
+  for (i = 0; i < m; ++i)
+    for (j = 0; j < n; ++j) { k = i * (n + 1) + j; print 4, k, k + 1, k + n + 2, k + n + 1 } }' >"$folder/ribbon.off"
+"$steps" "$folder/ribbon.off" -o "$folder/ribbon" --size 800 --azimuth 60 --elevation 30 --ball 0 0 0 100
+row segmentation_overlap.png 1400 ribbon_{one_chart,overlap,parts,split}
 ls -l "$atlas_root/doc/pictures" >&2

@@ -132,6 +132,27 @@ TEST(Feature_detection, Even_curvature_has_no_features)
   EXPECT_EQ(number_of_features(detect_features(test::surface_of(test::planar_grid(30, 30)))), 0u);
 }
 
+TEST(Feature_detection, What_the_paper_does_not_have_can_be_turned_off)
+{
+  // A prism of twelve sides: rims of twelve edges are too short for the paper.
+  const Surface prism = test::surface_of(test::lathe({{0, 0}, {1, 0}, {1, 3}, {0, 3}}, 12, 6));
+  Feature_options options;
+  options.min_contrast = 0; // or the twelve edges between the sides are no features
+  EXPECT_GE(number_of_features(detect_features(prism, options)), 2 * 12u);
+  options.min_feature_length_of_small_meshes = INFINITY;
+  EXPECT_EQ(number_of_features(detect_features(prism, options)), 0u);
+  options.min_feature_length = 11;
+  EXPECT_GE(number_of_features(detect_features(prism, options)), 2 * 12u);
+
+  // Forty-eight sides, all equally sharp, are many times five percent: either none of them are, or all.
+  const Surface drum = test::surface_of(test::capped_cylinder());
+  options = Feature_options();
+  options.min_contrast = 0;
+  EXPECT_EQ(number_of_features(detect_features(drum, options)), 2 * 48u);
+  options.plateau_tolerance = 0;
+  EXPECT_GT(number_of_features(detect_features(drum, options)), 2 * 48u + 100);
+}
+
 TEST(Feature_detection, Hard_angle_takes_short_features_too)
 {
   const Surface surface = test::surface_of(test::cube());

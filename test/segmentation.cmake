@@ -5,3 +5,7 @@ atlas_test(expand_charts_test)
 atlas_test(feature_detection_test)
 atlas_test(Feature_segmentation_test)
 atlas_test(smooth_borders_test)
+if(TARGET segmentation_steps)
+  add_test(NAME segmentation_steps_calling_contract
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/segmentation_steps_cli_test.sh $<TARGET_FILE:segmentation_steps>)
+endif()

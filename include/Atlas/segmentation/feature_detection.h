@@ -23,14 +23,21 @@ struct Feature_options
   double sharp_edge_share = 0.05;
   /// Edges in the string that looks ahead; so long are the gaps that a curve crosses.
   int max_string_length = 5;
-  /// A curve needs more edges than that. Meshes of less than about 3600 triangles have not so many edges from
-  /// one end to the other; there, a quarter of the square root of the number of triangles is enough.
+  /// A curve needs more edges than that.
   int min_feature_length = 15;
+  /// On small meshes so many times the square root of the number of triangles is enough: those of less than
+  /// about 3600 triangles have not fifteen edges from one end to the other. Not in the paper; infinity turns
+  /// it off.
+  double min_feature_length_of_small_meshes = 0.25;
   /// So many rings of edges around a feature cannot become features themselves.
   int neighborhood_rings = 1;
   /// Sharp edges are at least so many times as sharp as the median edge. Not in the paper: where curvature is
   /// spread evenly, the sharpest five percent are no features.
   double min_contrast = 3;
+  /// If so many edges have about the angle of the threshold (the sides of a prism, steps of a machine part)
+  /// that more than twice the share would be sharp, only those sharper by more than this part of the angle
+  /// are, unless they are too few. Not in the paper; 0 turns it off.
+  double plateau_tolerance = 0.01;
   /// Edges with a greater angle between the normals, in radians, are features whatever their length. Not in
   /// the paper; pi turns it off.
   double hard_angle = CGAL_PI;
@@ -58,17 +65,18 @@ inline std::vector<float> edge_sharpness(const Surface& surface, const Piece& pi
 /// Edges of a threshold that many edges share (the sides of a prism, steps of a machine part) are sharp if
 /// they are about the sharpest there are; if the given share of all edges, divided by ten, is sharper, they
 /// are not.
-inline float step_over_plateau(const std::vector<float>& values, float threshold, double share)
+inline float step_over_plateau(const std::vector<float>& values, float threshold, double share,
+                               float tolerance)
 {
-  constexpr float tolerance = 0.01f;
   const auto count_from = [&](float least) {
     return static_cast<double>(
         std::count_if(values.begin(), values.end(), [&](float v) { return v >= least; }));
   };
   const double wanted = share * static_cast<double>(values.size());
   const float above = threshold * (1 + tolerance);
-  return count_from(threshold * (1 - tolerance)) > 2 * wanted && count_from(above) > wanted / 10 ? above
-                                                                                                 : threshold;
+  const bool is_plateau = tolerance > 0 && count_from(threshold * (1 - tolerance)) > 2 * wanted &&
+                          count_from(above) > wanted / 10;
+  return is_plateau ? above : threshold;
 }
 
 /// The least angle of a sharp edge: the quantile of the given share, but above the median by the contrast,
@@ -89,8 +97,9 @@ inline float sharpness_threshold(const Surface& surface, const Piece& piece,
     return *k;
   };
   const double share = std::clamp(options.sharp_edge_share, 0., 1.);
-  return std::max({step_over_plateau(values, quantile(1 - share), share),
-                   static_cast<float>(options.min_contrast) * quantile(0.5), rounding});
+  return std::max(
+      {step_over_plateau(values, quantile(1 - share), share, static_cast<float>(options.plateau_tolerance)),
+       static_cast<float>(options.min_contrast) * quantile(0.5), rounding});
 }
 
 inline std::vector<std::uint8_t> detect_features(const Surface& surface, const Piece& piece,
@@ -100,8 +109,9 @@ inline std::vector<std::uint8_t> detect_features(const Surface& surface, const P
   filter_normals(surface, piece, options.normal_filter_rounds, normals);
   const std::vector<float> sharpness = edge_sharpness(surface, piece, normals);
   const float threshold = sharpness_threshold(surface, piece, sharpness, options);
-  const double coarse = std::sqrt(static_cast<double>(surface.number_of_triangles())) / 4;
-  const int min_length = std::min(options.min_feature_length, static_cast<int>(coarse));
+  const double enough = options.min_feature_length_of_small_meshes *
+                        std::sqrt(static_cast<double>(surface.number_of_triangles()));
+  const int min_length = static_cast<int>(std::min<double>(options.min_feature_length, enough));
   Feature_tracer tracer(surface, piece, sharpness, threshold, options.max_string_length, min_length,
                         options.neighborhood_rings);
   return tracer.run(options.hard_angle);
