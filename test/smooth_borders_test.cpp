@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/smooth_borders.h>
 
 #include "segmentation_checks.h"
 #include "segmentation_shapes.h"
+#include <atomic>
 #include <mutex>
 
 namespace Atlas {
@@ -162,6 +165,67 @@ TEST(Smooth_borders, Wishes_are_respected)
       EXPECT_TRUE(segmentation.is_glued(surface, h));
     }
   EXPECT_LT(border_length(surface, segmentation), border_length(surface, wavy));
+}
+
+/// Halves with a wavy border, of a sheet with three triangles to a spike.
+struct Wavy_halves
+{
+  Segmentation segment(const Surface& surface, const Execution&) const
+  {
+    Segmentation segmentation = test::one_chart(surface);
+    for (Index t = 0; t < segmentation.chart.size(); ++t)
+      segmentation.chart[t] = wavy_halves(surface.point(9 * (t / 3)));
+    segmentation.number_of_charts = 2;
+    return segmentation;
+  }
+};
+
+/// Flattens nothing, and remembers the largest chart that it got.
+struct Size_recorder
+{
+  std::atomic<std::size_t>* largest;
+
+  Chart_status parameterize(Chart& chart, const Execution&) const
+  {
+    for (std::size_t n = *largest; n < chart.number_of_triangles();)
+      if (largest->compare_exchange_weak(n, chart.number_of_triangles()))
+        break;
+    return Chart_status::flipped;
+  }
+};
+
+/// Every triangle gets a tip over its middle: no edge can collapse.
+test::Soup spikes(const test::Soup& soup, double height)
+{
+  test::Soup result{soup.points, {}};
+  for (const auto& t : soup.polygons) {
+    const Point_3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
+    const auto tip = static_cast<Index>(result.points.size());
+    result.points.push_back(CGAL::centroid(a, b, c) + Vector_3(0, 0, height));
+    for (std::size_t i = 0; i < 3; ++i)
+      result.polygons.push_back({t[i], t[(i + 1) % 3], tip});
+  }
+  return result;
+}
+
+TEST(Merged_segmentation, No_chart_of_many_spikes_is_flattened_for_trial)
+{
+  std::atomic<std::size_t> largest = 0;
+  Merge_options options;
+  options.max_trial_triangles = 1000;
+  const auto largest_trial = [&](double height) {
+    const Surface surface = test::surface_of(spikes(sheet(40, false), height));
+    largest = 0;
+    const Segmentation result =
+        Merged_segmentation(Wavy_halves(), Size_recorder{&largest}, Identity_optimizer(), options)
+            .segment(surface, Execution());
+    EXPECT_EQ(result.number_of_charts, 2u);
+    return largest.load();
+  };
+  EXPECT_EQ(largest_trial(0.5), 0u);
+  // Flat, the same charts become coarse, and are tried.
+  EXPECT_GT(largest_trial(0), 0u);
+  EXPECT_LE(largest_trial(0), options.max_trial_triangles);
 }
 
 } // namespace

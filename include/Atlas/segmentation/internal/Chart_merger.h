@@ -158,9 +158,12 @@ private:
       whole_area_ += part.area;
   }
 
+  /// Parts too large for any trial have no layout.
   void flatten_parts()
   {
     execution_.for_each(parts_.size(), [&](std::size_t p) {
+      if (parts_[p].triangles.size() > options_.max_trial_triangles)
+        return;
       Chart chart = extract(parts_[p].triangles);
       if (flatten_(chart) == Chart_status::valid)
         keep_layout(parts_[p], std::move(chart));
@@ -276,7 +279,8 @@ private:
     if (c.part != c.other)
       triangles.insert(triangles.end(), parts_[c.other].triangles.begin(), parts_[c.other].triangles.end());
     c.layout = extract(triangles);
-    c.is_accepted = flatten_(c.layout) == Chart_status::valid && is_acceptable(c);
+    c.is_accepted = triangles.size() <= options_.max_trial_triangles &&
+                    flatten_(c.layout) == Chart_status::valid && is_acceptable(c);
   }
 
   bool is_acceptable(const Candidate& c) const

@@ -66,13 +66,15 @@ public:
     for (Index v = 0; v < kind_.size(); ++v)
       if (kind_[v] != Kind::fixed)
         remaining.push_back(v);
+    double tried = 0;
     for (double share = 1.0 / 32; share < 1.01; share *= std::sqrt(2.0)) {
       for (const Index v : remaining)
-        try_collapse(v, share * length_[v]);
+        try_collapse(v, share * length_[v], tried * length_[v]);
+      tried = share;
       std::erase_if(remaining, [&](Index v) { return halfedge_[v] == no_index; });
     }
     for (const Index v : remaining)
-      try_collapse(v, length_[v]);
+      try_collapse(v, length_[v], tried * length_[v]);
     return compact();
   }
 
@@ -87,6 +89,8 @@ private:
     points_.resize(n, Point_3(0, 0, 0));
     halfedge_.assign(n, no_index);
     degree_.assign(n, 0);
+    changed_.assign(n, 0);
+    tried_.assign(n, 0);
     kind_.assign(n, Kind::inside);
     for (Index h = 0; h < vertex_.size(); ++h) {
       const Index v = vertex_[h];
@@ -154,7 +158,9 @@ private:
   }
 
   /// Moves v onto its nearest neighbour that allows it, if one is nearer than `limit`.
-  void try_collapse(Index v, double limit)
+  /// \param tried  neighbours nearer than this have been tried before: what has not changed since is refused
+  ///               again
+  void try_collapse(Index v, double limit, double tried)
   {
     if (halfedge_[v] == no_index || degree_[v] > maximal_degree || !find_star(v, star_))
       return;
@@ -169,17 +175,21 @@ private:
           candidates_.emplace_back(l, p);
     }
     std::sort(candidates_.begin(), candidates_.end());
+    const auto is_same = [&](Index u) { return changed_[u] <= tried_[v]; };
     for (const auto& [l, h] : candidates_)
-      if (is_allowed(v, h)) {
+      if (!(l < tried && is_same(v) && is_same(other_end(v, h))) && is_allowed(v, h)) {
         collapse(v, h);
         return;
       }
+    tried_[v] = clock_;
   }
+
+  Index other_end(Index v, Index h) const { return vertex_[h] == v ? vertex_[next_halfedge(h)] : vertex_[h]; }
 
   /// \param h  an edge of v, as a halfedge that leaves v or, at the border only, arrives at it
   bool is_allowed(Index v, Index h)
   {
-    const Index w = vertex_[h] == v ? vertex_[next_halfedge(h)] : vertex_[h];
+    const Index w = other_end(v, h);
     if (w == v || degree_[w] > maximal_degree || !find_star(w, other_star_))
       return false;
     // The link condition: v and w have but the opposite corners as common neighbours.
@@ -260,7 +270,12 @@ private:
 
   void collapse(Index v, Index h)
   {
-    const Index w = vertex_[h] == v ? vertex_[next_halfedge(h)] : vertex_[h], o = opposite_[h];
+    const Index w = other_end(v, h), o = opposite_[h];
+    ++clock_;
+    for (const auto* star : {&star_, &other_star_})
+      for (const Index g : *star)
+        for (Index k = 3 * (g / 3); k < 3 * (g / 3) + 3; ++k)
+          changed_[vertex_[k]] = clock_;
     for (const Index g : star_)
       vertex_[g] = w;
     remove_triangle(h);
@@ -315,6 +330,9 @@ private:
   std::vector<Index> degree_;                   ///< triangles around it
   std::vector<Kind> kind_;
   std::vector<double> length_;
+  std::vector<Index> changed_; ///< the number of the last collapse next to it
+  std::vector<Index> tried_;   ///< how many collapses there had been when it was tried in vain
+  Index clock_ = 0;            ///< the number of collapses
   std::vector<Index> star_, other_star_, near_v_, near_w_;
   std::vector<std::pair<double, Index>> candidates_;
 };

@@ -68,12 +68,14 @@ inline double triangles_of_smoothed_charts(const Merge_options& options)
   return std::max(least, charts_in_one * options.triangles_per_chart);
 }
 
-/// Whether the chart stays within the bounds when it is flattened, as far as a coarse copy of it tells.
+/// Whether the chart stays within the bounds when it is flattened, as far as a coarse copy of it tells. A
+/// chart that does not get coarse, such as one full of spikes, is refused: this bounds the cost of a trial.
 template <typename Flatten>
 bool passes_trial(const Chart& chart, double whole_area, const Merge_options& options, const Flatten& flatten)
 {
   Chart coarse = coarse_chart(chart, triangles_of_smoothed_charts(options));
-  if (flatten(coarse) != Chart_status::valid || !is_within_bound(coarse, options))
+  if (coarse.number_of_triangles() > options.max_trial_triangles || flatten(coarse) != Chart_status::valid ||
+      !is_within_bound(coarse, options))
     return false;
   const double filled = solidity(coarse);
   if (filled < options.min_solidity ||
