@@ -4,7 +4,7 @@
 # What the example needs, what the tests need besides, what the checks of the source need besides.
 ATLAS_EXAMPLE_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev
                         libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev)
-ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev)
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev)
 ATLAS_CHECK_PACKAGES=(clang-format)
 
 say() { printf '\n== %s\n' "$*" >&2; }

@@ -10,6 +10,9 @@ atlas_test(bake_normals_test Atlas_IO)
 atlas_test(bake_ambient_occlusion_test Atlas_IO)
 atlas_test(transfer_texture_test Atlas_IO)
 atlas_test(pages_test Atlas_IO)
+# Another library reads what is written.
+find_package(assimp REQUIRED CONFIG)
+atlas_test(assimp_round_trip_test Atlas_IO assimp::assimp)
 if(TARGET texture_atlas)
   add_test(NAME texture_atlas_calling_contract
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.sh $<TARGET_FILE:texture_atlas>)
