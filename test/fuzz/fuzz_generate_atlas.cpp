@@ -2,6 +2,8 @@
 // Any soup gets an atlas: the points are those of a small grid, so that equal points, flat faces and faces
 // upon faces are frequent. The certificate is the judge.
 #include <Atlas/generate_atlas.h>
+#include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/validation/certify.h>
 
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 namespace {
@@ -30,8 +33,28 @@ struct Soup
   std::vector<Index> vertices;
 };
 
-/// The first byte tells the unit, the second the number of points; then come a byte per point and, for each
-/// face, a byte with the number of its corners and one for each corner.
+/// Most inputs are packed the fast way: the raster packer takes longer than all the rest.
+struct Some_packer
+{
+  int choice;
+
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
+  {
+    if (choice == 15)
+      return Raster_packer().pack(charts, page, execution);
+    if (choice >= 12)
+      return Rectangle_packer().pack(charts, page, execution);
+    return Horizon_packer().pack(charts, page, execution);
+  }
+};
+
+Atlas_mode mode_of(int choice)
+{
+  return choice == 3 ? Atlas_mode::conformal : choice == 2 ? Atlas_mode::few_seams : Atlas_mode::standard;
+}
+
+/// The first byte tells the unit, the packer and the mode, the second the number of points; then come a byte
+/// per point and, for each face, a byte with the number of its corners and one for each corner.
 Soup soup_of(const std::uint8_t* data, std::size_t size)
 {
   static constexpr double units[] = {1, 1e-30, 1e30, 0.1};
@@ -88,8 +111,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Soup soup = soup_of(data, size);
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
   std::vector<Point_2> uv;
-  const Atlas_report report =
-      generate_atlas(surface, uv, parameters::texture_size(64).gutter(1).number_of_threads(1));
+  const Atlas_report report = generate_atlas(surface, uv,
+                                             parameters::texture_size(32)
+                                                 .gutter(1)
+                                                 .mode(mode_of(data[0] >> 2 & 3))
+                                                 .packer(Some_packer{data[0] >> 4})
+                                                 .number_of_threads(1));
   check(surface, uv, report);
   return 0;
 }
