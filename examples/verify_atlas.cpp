@@ -8,6 +8,7 @@
 #include <Atlas/build_surface.h>
 #include <Atlas/validation/certify.h>
 
+#include "read_page_size.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -24,7 +25,7 @@ enum Exit_code { VALID = 0, NOT_VALID = 1, COULD_NOT_TELL = 2 };
 
 struct Arguments
 {
-  std::string file, picture;
+  std::string file, picture, size = std::to_string(Atlas::default_texture_size);
   Atlas::Certificate_options certificate;
   unsigned threads = 0;
   bool is_json = false, has_tiles = false;
@@ -72,9 +73,12 @@ int run(const Arguments& arguments)
   const Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
   const Atlas::Atlas_certificate certificate = Atlas::certify(
       surface, soup.uv, soup.face_page, arguments.certificate, Atlas::Execution(arguments.threads));
-  if (!arguments.picture.empty())
-    Atlas::write_png(arguments.picture, Atlas::draw_atlas(Atlas::sheet_of_pages(soup), certificate.face_chart,
-                                                          1024, faces_to_blame(certificate)));
+  if (!arguments.picture.empty()) {
+    const Atlas::Image_size page(arguments.certificate.width, arguments.certificate.height);
+    Atlas::write_png(arguments.picture,
+                     Atlas::draw_atlas(Atlas::sheet_of_pages(soup), certificate.face_chart,
+                                       page.with_longer_side(1024), faces_to_blame(certificate)));
+  }
   if (arguments.is_json)
     std::cout << Atlas::to_json(certificate).dump(2) << '\n';
   else
@@ -89,12 +93,10 @@ int run(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  Atlas::Index texture_size = Atlas::default_texture_size;
   CLI::App app("Verifies the texture coordinates of a mesh file.\n"
                "Exit code: 0 valid, 1 not valid, 2 could not tell (bad file, wrong option).");
   app.add_option("FILE", arguments.file, "OBJ with vt, PLY or glTF")->required();
-  app.add_option("--texture-size", texture_size, "side of the page in texels")
-      ->check(CLI::Range(1, 1 << 20))
+  app.add_option("--texture-size", arguments.size, "page in texels: N for a square, or WIDTHxHEIGHT")
       ->capture_default_str();
   app.add_option("--gutter", arguments.certificate.gutter,
                  "texels that charts have to keep from each other; half of it from the border of the page")
@@ -113,7 +115,7 @@ int main(int argc, char** argv)
   app.add_flag("--json", arguments.is_json, "print JSON");
   try {
     app.parse(argc, argv);
-    arguments.certificate.width = arguments.certificate.height = texture_size;
+    read_page_size(arguments.size, arguments.certificate.width, arguments.certificate.height);
     return run(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? VALID : COULD_NOT_TELL;

@@ -55,6 +55,24 @@ TEST(Nearest_texels, without_any_covered_texel)
   EXPECT_EQ(nearest_texels(std::vector<bool>(12, false), 4, 3), std::vector<Index>(12, no_index));
 }
 
+TEST(Bake_vertex_colors, fills_pages_that_are_not_square)
+{
+  const Image_size size(64, 16);
+  const Image image = bake_vertex_colors(square(), size);
+  ASSERT_EQ(image.width, size.width);
+  ASSERT_EQ(image.height, size.height);
+  for (std::size_t y = 0; y < size.height; ++y)
+    for (std::size_t x = 0; x < size.width; ++x) {
+      const double u = (double(x) + 0.5) / double(size.width),
+                   v = 1 - (double(y) + 0.5) / double(size.height);
+      // The nearest texel of the square, by its centre.
+      const double s = 2 * (std::clamp(u, 16.5 / 64, 47.5 / 64) - 0.25),
+                   t = 2 * (std::clamp(v, 4.5 / 16, 11.5 / 16) - 0.25);
+      EXPECT_NEAR(image.at(x, y)[0], 255 * s, 1) << x << ' ' << y;
+      EXPECT_NEAR(image.at(x, y)[1], 255 * t, 1) << x << ' ' << y;
+    }
+}
+
 TEST(Bake_vertex_colors, interpolates_inside_and_extends_outside)
 {
   const std::size_t size = 64;

@@ -104,7 +104,11 @@ expect 0 0 out/a.obj -o out/b.obj --keep-uv --texture-size 256
 [ "$(charts)" -eq 6 ] || fail "charts of the file: $(charts)"
 expect 3 1 cube.obj -o out/b.obj --keep-uv
 expect 2 1 cube.obj -o out/b.obj --mode none
-expect 2 1 cube.obj -o out/b.obj --keep-uv --separate-materials
+for option in '--mode standard' '--max-distortion 1.2' '--max-charts 2' '--min-chart-texels 9' '--hard-angle 60' \
+  --separate-materials; do
+  expect 2 1 out/a.obj -o out/b.obj --keep-uv $option
+  grep -q -e "--keep-uv: .*${option%% *}.*leave out" stderr || fail "--keep-uv does not refuse $option: $(cat stderr)"
+done
 rm out/*
 
 # What pages are like.
@@ -116,6 +120,44 @@ expect 0 0 cube.obj -o out/a.obj --density 100 --texture-size 256 --hard-angle 6
 grep -q 'on 2 pages' stdout && grep -q ' 100 texels per unit' stdout || fail "density: $(cat stdout)"
 expect 0 1 cube.obj -o out/a.obj --density 1000 --texture-size 256
 rm out/*
+
+# Pages that are not square, through all files. `png NAME WIDTH HEIGHT`: the size of a picture.
+png() {
+  local size
+  size=$(python3 -c 'import struct, sys; print(*struct.unpack(">II", open(sys.argv[1], "rb").read(24)[16:]))' "$1")
+  [ "$size" = "$2 $3" ] || fail "$1 measures $size instead of $2 $3"
+}
+for size in 256x64 100x300; do
+  width=${size%x*} height=${size#*x}
+  expect 0 0 colored.obj -o out/a.obj --texture-size $size --hard-angle 60 --bake normals --bake occlusion
+  grep -q "of $width x $height texels" stdout || fail "a page of $size: $(cat stdout)"
+  for picture in checkerboard normal occlusion; do
+    png out/a_$picture.png "$width" "$height"
+  done
+  python3 - out/a.obj "$width" "$height" <<'SQUARES' || fail "the faces of the cube are no squares on a page of $size"
+import math, sys
+uv, ok = [], True
+for line in open(sys.argv[1]):
+    if line.startswith("vt "):
+        uv.append([float(x) * float(n) for x, n in zip(line.split()[1:3], sys.argv[2:])])
+    if line.startswith("f "):
+        p = [uv[int(corner.split("/")[1]) - 1] for corner in line.split()[1:]]
+        sides = [math.dist(p[i], p[i - 1]) for i in range(4)]
+        ok = ok and max(sides) - min(sides) < 1e-3 and abs(math.dist(p[0], p[2]) - math.sqrt(2) * sides[0]) < 1e-3
+sys.exit(not ok)
+SQUARES
+  expect 0 0 colored.obj -o out/b.glb --texture-size $size --bake colors --picture out/p.png
+  expect 0 0 out/b.glb -o out/c.ply --texture-size $size --bake texture --pages 2 --hard-angle 60
+  png out/c_texture.1002.png "$width" "$height"
+done
+png out/a_page.png 341 1024
+expect 0 0 cube.obj -o out/a.obj --texture-size 256x64
+png out/a_page.png 1024 256
+png out/a_stretch.png 1024 341
+rm out/*
+for size in 64x 0x64 64x0 x64 64x64x64 64X64 70000 -1; do
+  expect 2 1 cube.obj -o out/a.obj --texture-size=$size
+done
 
 # The same bytes for any number of threads.
 expect 0 0 cube.obj -o out/1.obj --threads 1

@@ -119,6 +119,52 @@ TEST(Render_model, shows_the_texture_the_right_way_up)
   EXPECT_GT(image.at(2, 2)[0], 240);
 }
 
+TEST(Draw_atlas, has_the_shape_of_the_page)
+{
+  const Image_size shape = Image_size(300, 100).with_longer_side(30);
+  const Image image = draw_atlas(two_quads(), {0, 1, no_index}, shape),
+              square = draw_atlas(two_quads(), {0, 1, no_index}, 30);
+  ASSERT_EQ(image.width, 30u);
+  ASSERT_EQ(image.height, 10u);
+  for (std::size_t y = 0; y < 10; ++y) // each pixel shows three of the square, where they are not on a border
+    for (std::size_t x = 0; x < 30; ++x)
+      if (square.at(x, 3 * y) == square.at(x, 3 * y + 1) && square.at(x, 3 * y) == square.at(x, 3 * y + 2) &&
+          square.at(x, 3 * y) == square.at(0, 0))
+        EXPECT_EQ(image.at(x, y), square.at(x, 3 * y));
+  const Image_size thin = Image_size(4096, 1).with_longer_side(64),
+                   tall = Image_size(3, 9).with_longer_side(30);
+  EXPECT_EQ(thin.height, 1u);
+  EXPECT_EQ(tall.width, 10u);
+}
+
+TEST(Checkerboard, has_squares_on_any_page)
+{
+  const Image wide = checkerboard({64, 16}, 8), square = checkerboard(64, 8);
+  ASSERT_EQ(wide.height, 16u);
+  for (std::size_t y = 0; y < 16; ++y)
+    for (std::size_t x = 0; x < 64; ++x)
+      EXPECT_EQ(wide.at(x, y), square.at(x, y));
+}
+
+TEST(Halved, goes_down_to_one_pixel)
+{
+  Image image(4, 1);
+  image.pixels = {{0, 8, 1}, {2, 8, 1}, {100, 0, 1}, {102, 0, 1}};
+  image = halved(image);
+  EXPECT_EQ(image.pixels, (std::vector<Color>{{1, 8, 1}, {101, 0, 1}}));
+  image = halved(image);
+  EXPECT_EQ(image.pixels, (std::vector<Color>{{51, 4, 1}}));
+  EXPECT_EQ(halved(image).pixels, image.pixels);
+}
+
+/// Smaller versions of a texture go down to one pixel in both directions, or nothing is drawn.
+TEST(Render_model, shows_textures_that_are_not_square)
+{
+  const Polygon_soup soup = two_quads();
+  const Image red(64, 4, {250, 0, 0}), red_square(64, 64, {250, 0, 0});
+  EXPECT_EQ(render_model(soup, red, 64).pixels, render_model(soup, red_square, 64).pixels);
+}
+
 TEST(Render_model, does_not_depend_on_scale)
 {
   Polygon_soup soup = two_quads(), huge = soup;

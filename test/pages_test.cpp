@@ -201,6 +201,17 @@ TEST(Pages, pictures_show_one_page_or_all_on_a_sheet)
   EXPECT_EQ(all.at(0, 15)[0], 30);
 }
 
+TEST(Pages, that_are_not_square_make_a_sheet_of_their_shape)
+{
+  const Image sheet =
+      sheet_of_images({Image(8, 4, {1, 1, 1}), Image(8, 4, {2, 2, 2}), Image(8, 4, {3, 3, 3})});
+  EXPECT_EQ(sheet.width, 16u);
+  EXPECT_EQ(sheet.height, 8u);
+  EXPECT_EQ(sheet.at(7, 3)[0], 1);
+  EXPECT_EQ(sheet.at(8, 3)[0], 2);
+  EXPECT_EQ(sheet.at(7, 4)[0], 3);
+}
+
 TEST(Pages, each_is_baked_for_itself)
 {
   Polygon_soup soup = squares({0, 1});

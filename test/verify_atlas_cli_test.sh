@@ -100,6 +100,9 @@ expect_match 1 'NOT VALID: 1 overlapping pairs of triangles between charts$' sta
 expect_match 0 '^valid' good.obj
 expect_match 0 'charts  *1$' good.obj --texture-size 512 --gutter 4
 expect_match 1 'border of the page' good.obj --texture-size 8 --gutter 6
+expect_match 1 'border of the page' good.obj --texture-size 8x100 --gutter 6
+expect_match 0 '"page_border_distance_texels": 25.0' good.obj --texture-size 100x400 --gutter 6 --json
+expect_match 2 'texture-size' good.obj --texture-size 100x
 expect_match 0 '"is_valid": true' good.obj --json
 expect_match 0 '"page_border_distance_texels": 256.0' good.obj --json
 expect_match 1 'NOT VALID: 1 flipped' flipped.obj

@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 
+#include "../read_page_size.h"
 #include "texture_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -59,8 +60,8 @@ void declare_options(CLI::App& app, Options& options)
       "a checkerboard texture (_checkerboard.png), the page with its charts in colours (_page.png), the "
       "model from several sides (_view.png) and the report (.json). Default: <stem of MESH>_atlas.obj in "
       "the current directory");
-  app.add_option("--texture-size", options.texture_size, "Side of the square page in texels")
-      ->check(CLI::Range(1, 65536))
+  app.add_option("--texture-size", options.texture_size,
+                 "Size of the page in texels: one number for a square, or WIDTHxHEIGHT")
       ->capture_default_str();
   app.add_option("--gutter", options.page.gutter,
                  "Least distance between two charts in texels; half of it to the border of the page")
@@ -90,7 +91,7 @@ void declare_options(CLI::App& app, Options& options)
   app.add_flag(
       "--keep-uv", options.keeps_uv,
       "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
-      "faces without coordinates are flattened");
+      "faces without coordinates are flattened. Does not go with options that tell what charts are like");
   app.add_option(
          "--pages", options.page.pages,
          "Number of pages that may be filled. Of several pages each has its textures, and coordinates "
@@ -142,7 +143,7 @@ void declare_options(CLI::App& app, Options& options)
 }
 
 /// Sets defaults that depend on other options, and refuses what cannot be.
-void complete(Options& options)
+void complete(const CLI::App& app, Options& options)
 {
   if (options.output.empty())
     options.output = fs::path(options.mesh).stem().string() + "_atlas.obj";
@@ -151,13 +152,18 @@ void complete(Options& options)
   if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
     throw CLI::ValidationError("--output",
                                "the name of the model must end in .obj, .glb or .ply: " + options.output);
-  options.page.width = options.page.height = options.texture_size;
-  if (!(options.page.effective_gutter() * 2 < options.texture_size)) // not a number fails too
+  read_page_size(options.texture_size, options.page.width, options.page.height);
+  const Atlas::Index shorter_side = std::min(options.page.width, options.page.height);
+  if (!(options.page.effective_gutter() * 2 < shorter_side)) // not a number fails too
     throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
                                                CLI::detail::to_string(options.page.effective_gutter()) +
                                                " texels");
-  if (options.keeps_uv && options.separates_materials)
-    throw CLI::ValidationError("--keep-uv", "does not go with --separate-materials");
+  if (options.keeps_uv)
+    for (const char* name : {"--mode", "--max-distortion", "--max-charts", "--min-chart-texels",
+                             "--hard-angle", "--separate-materials"})
+      if (app.count(name) > 0)
+        throw CLI::ValidationError("--keep-uv", std::string("the charts of the file stay as they are, so ") +
+                                                    name + " has no meaning: leave out one of the two");
   using enum Atlas::Chart_rotation;
   options.page.rotation = options.rotation == "quarter" ? quarter_turns
                           : options.rotation == "none"  ? none
@@ -348,7 +354,7 @@ int main(int argc, char** argv)
   declare_options(app, options);
   try {
     app.parse(argc, argv);
-    complete(options);
+    complete(app, options);
     return run(options);
   } catch (const CLI::CallForHelp&) {
     std::fputs((app.help() + '\n').c_str(), stdout);

@@ -103,16 +103,16 @@ public:
 private:
   Atlas::Image image(Bake what, Atlas::Index page) const
   {
-    const std::size_t side = options_.texture_size;
+    const Atlas::Image_size size(options_.page.width, options_.page.height);
     switch (what) {
     case Bake::colors:
-      return Atlas::bake_vertex_colors(model_, side, page);
+      return Atlas::bake_vertex_colors(model_, size, page);
     case Bake::texture:
-      return Atlas::transfer_texture(model_, side, source_, page, execution_);
+      return Atlas::transfer_texture(model_, size, source_, page, execution_);
     case Bake::normals:
-      return Atlas::bake_normals(model_, side, page, execution_);
+      return Atlas::bake_normals(model_, size, page, execution_);
     case Bake::occlusion:
-      return Atlas::bake_ambient_occlusion(model_, side, {}, page, execution_);
+      return Atlas::bake_ambient_occlusion(model_, size, {}, page, execution_);
     }
     return {};
   }
@@ -129,8 +129,10 @@ Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& mod
   for (const Bake what : {Bake::texture, Bake::colors})
     if (options.has(what))
       return bake(what);
-  const std::size_t side = std::min<std::size_t>(options.texture_size, 4096);
-  const Atlas::Image board = Atlas::checkerboard(side, std::max<std::size_t>(side / 16, 2));
+  const Atlas::Image_size page(options.page.width, options.page.height);
+  const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
+  const Atlas::Image board =
+      Atlas::checkerboard(page.with_longer_side(side), std::max<std::size_t>(side / 16, 2));
   return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png"};
 }
 
@@ -145,11 +147,14 @@ void add_textures(Outputs& outputs, const fs::path& output, const std::vector<st
   }
 }
 
+/// Pages that look like the one before them, as all of a checkerboard do, are not compressed again.
 std::vector<std::string> pngs_of(const Textures& textures)
 {
   std::vector<std::string> pngs;
-  for (const Atlas::Image& image : textures.pages)
-    pngs.push_back(Atlas::png_bytes(image));
+  for (std::size_t page = 0; page < textures.pages.size(); ++page) {
+    const bool is_repeated = page > 0 && textures.pages[page].pixels == textures.pages[page - 1].pixels;
+    pngs.push_back(is_repeated ? pngs.back() : Atlas::png_bytes(textures.pages[page]));
+  }
   return pngs;
 }
 
@@ -184,8 +189,9 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
   const Atlas::Polygon_soup sheet = Atlas::sheet_of_pages(model);
   const std::vector<Atlas::Index>& culprits = report.certificate.culprits;
   Atlas::Report_pictures pictures;
-  pictures.page = Atlas::draw_atlas(sheet, report.face_chart, 1024, culprits);
-  pictures.stretch = Atlas::draw_stretch(sheet, stretch);
+  const Atlas::Image_size shape(options.page.width, options.page.height);
+  pictures.page = Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(1024), culprits);
+  pictures.stretch = Atlas::draw_stretch(sheet, stretch, shape.with_longer_side(1024));
   pictures.view = Atlas::render_model(sheet, Atlas::sheet_of_images(textures.pages));
   outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
   outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
@@ -193,7 +199,8 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
   outputs.add(beside(output, ".html"),
               Atlas::html_report(sheet, report, pictures, fs::path(options.mesh).filename().string()));
   if (!options.picture.empty()) {
-    const Atlas::Image page = Atlas::draw_atlas(sheet, report.face_chart, pictures.view.height, culprits);
+    const Atlas::Image page =
+        Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(pictures.view.height), culprits);
     outputs.add(options.picture, Atlas::png_bytes(side_by_side(page, pictures.view)));
   }
 }

@@ -24,7 +24,7 @@ struct Options
   std::string mode = "standard", effort = "fast", rotation = "any";
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
   std::size_t max_charts = 0;
-  Atlas::Index texture_size = Atlas::default_texture_size;
+  std::string texture_size = std::to_string(Atlas::default_texture_size);
   Atlas::Page_options page; ///< with the texture size as width and height once the options are complete
   unsigned threads = 0;
   std::vector<Bake> bakes;

@@ -13,6 +13,27 @@ namespace Atlas {
 /// Red, green, blue in [0, 255].
 using Color = std::array<std::uint8_t, 3>;
 
+/// \brief How large a picture or a page is, in pixels or texels. One number stands for a square.
+struct Image_size
+{
+  std::size_t width = 0, height = 0;
+
+  Image_size(std::size_t side) : width(side), height(side) {}
+  Image_size(std::size_t w, std::size_t h) : width(w), height(h) {}
+
+  std::size_t longer_side() const { return std::max(width, height); }
+
+  /// The same shape with a longer side of so many pixels; none has less than one.
+  Image_size with_longer_side(std::size_t side) const
+  {
+    const std::size_t longer = std::max<std::size_t>(longer_side(), 1);
+    const auto scaled = [&](std::size_t n) {
+      return std::max<std::size_t>((2 * n * side + longer) / (2 * longer), 1);
+    };
+    return {scaled(width), scaled(height)};
+  }
+};
+
 /// \brief A picture of 8-bit colours; the first row is the top one.
 struct Image
 {
@@ -29,17 +50,21 @@ struct Image
 };
 
 /// The picture at half the size, every pixel the mean of four. The last row and column of odd sizes are left
-/// out.
+/// out; a side of one pixel stays.
 inline Image halved(const Image& image)
 {
-  Image result(image.width / 2, image.height / 2);
+  const auto half = [](std::size_t n) { return n == 1 ? 1 : n / 2; };
+  Image result(half(image.width), half(image.height));
   for (std::size_t y = 0; y < result.height; ++y)
-    for (std::size_t x = 0; x < result.width; ++x)
+    for (std::size_t x = 0; x < result.width; ++x) {
+      const std::size_t right = std::min(2 * x + 1, image.width - 1),
+                        below = std::min(2 * y + 1, image.height - 1);
       for (std::size_t k = 0; k < 3; ++k)
-        result.at(x, y)[k] = static_cast<std::uint8_t>(
-            (image.at(2 * x, 2 * y)[k] + image.at(2 * x + 1, 2 * y)[k] + image.at(2 * x, 2 * y + 1)[k] +
-             image.at(2 * x + 1, 2 * y + 1)[k] + 2) /
-            4);
+        result.at(x, y)[k] =
+            static_cast<std::uint8_t>((image.at(2 * x, 2 * y)[k] + image.at(right, 2 * y)[k] +
+                                       image.at(2 * x, below)[k] + image.at(right, below)[k] + 2) /
+                                      4);
+    }
   return result;
 }
 

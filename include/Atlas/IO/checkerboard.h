@@ -10,14 +10,15 @@
 namespace Atlas {
 
 /// \brief A texture that shows distortion: squares that alternate between light and dark, whose colour
-/// changes slowly over the page, so that charts can be told apart and found on the page. \param size pixels a
-/// side; \param squares number of squares a side
-inline Image checkerboard(std::size_t size, std::size_t squares = 64)
+/// changes slowly over the page, so that charts can be told apart and found on the page. \param squares
+/// number of squares along the longer side
+inline Image checkerboard(Image_size size, std::size_t squares = 64)
 {
-  Image image(size, size);
-  for (std::size_t y = 0; y < size; ++y)
-    for (std::size_t x = 0; x < size; ++x) {
-      const std::size_t i = x * squares / size, j = y * squares / size;
+  Image image(size.width, size.height);
+  const std::size_t side = size.longer_side();
+  for (std::size_t y = 0; y < size.height; ++y)
+    for (std::size_t x = 0; x < size.width; ++x) {
+      const std::size_t i = x * squares / side, j = y * squares / side;
       const double hue =
           0.08 + 0.85 * (static_cast<double>(i) + static_cast<double>(j)) / static_cast<double>(2 * squares);
       image.at(x, y) =

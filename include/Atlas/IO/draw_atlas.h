@@ -27,8 +27,9 @@ namespace internal {
 class Atlas_painter
 {
 public:
-  Atlas_painter(const Polygon_soup& soup, std::size_t size, Index page)
-      : soup_(soup), page_(page), image_(2 * size, 2 * size, {252, 252, 250}), uv_(index_uv(soup.uv))
+  Atlas_painter(const Polygon_soup& soup, Image_size size, Index page)
+      : soup_(soup), page_(page), image_(2 * size.width, 2 * size.height, {252, 252, 250}),
+        uv_(index_uv(soup.uv))
   {}
 
   void fill_faces(const std::function<Color(std::size_t)>& color_of_face)
@@ -131,9 +132,9 @@ inline constexpr std::size_t most_faces_with_edges = 20000;
 /// \brief A picture of the page: charts in colours, their borders dark, flagged faces red.
 /// \param soup its `uv` are drawn, [0,1]^2 fills the picture
 /// \param face_chart per face the number of its chart; faces without coordinates are not drawn
-/// \param size pixels a side; \param flagged faces to show in red; \param page which one to draw
+/// \param size of the shape of the page; \param flagged faces to show in red; \param page which one to draw
 inline Image draw_atlas(const Polygon_soup& soup, const std::vector<Index>& face_chart,
-                        std::size_t size = 1024, const std::vector<Index>& flagged = {}, Index page = 0)
+                        Image_size size = 1024, const std::vector<Index>& flagged = {}, Index page = 0)
 {
   std::vector<bool> is_flagged(soup.number_of_faces(), false);
   for (const Index f : flagged)
@@ -160,9 +161,9 @@ inline Color color_of_stretch(double stretch)
 }
 
 /// \brief A picture of the page with faces coloured by their stretch. \see face_stretch()
-/// \param size pixels a side; \param page which one to draw
+/// \param size of the shape of the page; \param page which one to draw
 inline Image draw_stretch(const Polygon_soup& soup, const std::vector<double>& stretch,
-                          std::size_t size = 1024, Index page = 0)
+                          Image_size size = 1024, Index page = 0)
 {
   internal::Atlas_painter painter(soup, size, page);
   painter.fill_faces([&](std::size_t f) { return color_of_stretch(stretch[f]); });

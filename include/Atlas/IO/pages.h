@@ -72,7 +72,7 @@ inline std::string page_file_name(const std::string& name, Index page, Index num
   return name.substr(0, at) + '.' + std::to_string(udim_tile(page)) + name.substr(at);
 }
 
-/// Pages lie in rows of so many on a sheet, which is a square.
+/// Pages lie in rows of so many on a sheet, which has the shape of a page.
 inline std::size_t sheet_columns(std::size_t number_of_pages)
 {
   std::size_t columns = 1;
@@ -101,16 +101,17 @@ inline Polygon_soup sheet_of_pages(const Polygon_soup& soup)
   return sheet;
 }
 
-/// \brief The pictures of all pages as one, in the places that `sheet_of_pages()` gives them. \pre they are
-/// squares of equal size
+/// \brief The pictures of all pages as one, in the places that `sheet_of_pages()` gives them. \pre they have
+/// one size
 inline Image sheet_of_images(const std::vector<Image>& pages)
 {
   if (pages.empty())
     return Image();
-  const std::size_t columns = sheet_columns(pages.size()), side = pages.front().width;
-  Image sheet(columns * side, columns * side);
+  const std::size_t columns = sheet_columns(pages.size());
+  const std::size_t width = pages.front().width, height = pages.front().height;
+  Image sheet(columns * width, columns * height);
   for (std::size_t p = 0; p < pages.size(); ++p)
-    paste(pages[p], sheet, p % columns * side, p / columns * side);
+    paste(pages[p], sheet, p % columns * width, p / columns * height);
   return sheet;
 }
 

@@ -73,9 +73,11 @@ inline void load_texture(Image image)
   for (std::size_t y = 0; y < image.height / 2; ++y)
     for (std::size_t x = 0; x < image.width; ++x)
       std::swap(image.at(x, y), image.at(x, image.height - 1 - y));
-  for (GLint level = 0; image.width > 0; ++level) {
+  for (GLint level = 0;; ++level) { // down to a single pixel
     glTexImage2D(GL_TEXTURE_2D, level, GL_RGB, static_cast<GLsizei>(image.width),
                  static_cast<GLsizei>(image.height), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+    if (image.pixels.size() <= 1)
+      break;
     image = halved(image);
   }
   glEnable(GL_TEXTURE_2D);

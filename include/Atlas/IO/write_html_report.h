@@ -29,8 +29,8 @@ namespace Atlas {
 /// The pictures that an HTML report shows.
 struct Report_pictures
 {
-  Image page;    ///< the charts in colours, square
-  Image stretch; ///< the page coloured by stretch, square, without scale
+  Image page;    ///< the charts in colours
+  Image stretch; ///< the page coloured by stretch, without scale
   Image view;    ///< the model from several sides
 };
 

@@ -143,7 +143,7 @@ private:
 /// The sky is the half-space in front of the face, every direction weighted with its cosine; faces hide it
 /// from both of their sides. Directions are the same in every run, and turned from texel to texel. Needs
 /// CGAL's AABB tree (GPL). O(texels x samples x log triangles) expected. \param page which one
-inline Image bake_ambient_occlusion(const Polygon_soup& soup, std::size_t size,
+inline Image bake_ambient_occlusion(const Polygon_soup& soup, Image_size size,
                                     const Ambient_occlusion_options& options = {}, Index page = 0,
                                     const Execution& execution = Execution())
 {

@@ -49,7 +49,7 @@ inline Color color_of_normal(const Vector_3& n)
 ///
 /// The normals of the soup where it has them, else normals that are smooth except at edges sharper than
 /// 45 degrees; in between they are interpolated. Linear in texels and triangles. \param page which one
-inline Image bake_normals(const Polygon_soup& soup, std::size_t size, Index page = 0,
+inline Image bake_normals(const Polygon_soup& soup, Image_size size, Index page = 0,
                           const Execution& execution = Execution())
 {
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);

@@ -47,9 +47,9 @@ namespace internal {
 class Page_raster
 {
 public:
-  Page_raster(const Polygon_soup& soup, std::size_t size, Index page)
+  Page_raster(const Polygon_soup& soup, Image_size size, Index page)
       : soup_(soup), surface_(build_surface(soup.points, soup.first, soup.vertices)), size_(size),
-        triangle_(size * size, no_index)
+        triangle_(size.width * size.height, no_index)
   {
     for (Index t = 0; t < surface_.number_of_triangles(); ++t)
       if (soup.page(surface_.face[t]) == page)
@@ -75,19 +75,22 @@ public:
     result.triangle = t;
     for (std::size_t i = 0; i < 3; ++i)
       result.corners[i] = surface_.corner[3 * t + i];
-    result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_) + 0.5,
-                                                    static_cast<double>(texel / size_) + 0.5));
+    result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_.width) + 0.5,
+                                                    static_cast<double>(texel / size_.width) + 0.5));
     return result;
   }
 
 private:
+  double width() const { return static_cast<double>(size_.width); }
+  double height() const { return static_cast<double>(size_.height); }
+
   /// The corners in texels, y downwards.
   std::array<Point_2, 3> corners_of(Index t) const
   {
     std::array<Point_2, 3> result;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point_2& p = soup_.uv[surface_.corner[3 * t + i]];
-      result[i] = Point_2(p.x() * static_cast<double>(size_), (1 - p.y()) * static_cast<double>(size_));
+      result[i] = Point_2(p.x() * width(), (1 - p.y()) * height());
     }
     return result;
   }
@@ -99,19 +102,18 @@ private:
       if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
         return;
     bool is_seen = false;
-    fill_polygon(corners, size_, size_, [&](std::size_t x, std::size_t y) {
-      triangle_[y * size_ + x] = t;
+    fill_polygon(corners, size_.width, size_.height, [&](std::size_t x, std::size_t y) {
+      triangle_[y * size_.width + x] = t;
       is_seen = true;
     });
     if (is_seen)
       return;
     // Triangles between texel centres get the texel that their middle is in, if nobody else does.
     const Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
-    const double limit = static_cast<double>(size_);
-    if (!(middle.x() >= 0 && middle.y() >= 0 && middle.x() < limit && middle.y() < limit))
+    if (!(middle.x() >= 0 && middle.y() >= 0 && middle.x() < width() && middle.y() < height()))
       return;
     Index& texel =
-        triangle_[static_cast<std::size_t>(middle.y()) * size_ + static_cast<std::size_t>(middle.x())];
+        triangle_[static_cast<std::size_t>(middle.y()) * size_.width + static_cast<std::size_t>(middle.x())];
     if (texel == no_index)
       texel = t;
   }
@@ -131,7 +133,7 @@ private:
 
   const Polygon_soup& soup_;
   Surface surface_;
-  std::size_t size_;
+  Image_size size_;
   std::vector<Index> triangle_; ///< per texel
 };
 
@@ -142,24 +144,24 @@ private:
 /// smaller versions.
 ///
 /// \param soup    with coordinates in [0, 1]^2
-/// \param size    texels a side
+/// \param size    of the page, in texels
 /// \param shader  a callable `Color(const Bake_sample&)`, called from several threads if `execution` has
 /// them
 /// \param page    which one: only faces on it are seen
 ///
-/// O(texels + size x triangles that are taller than a texel).
+/// O(texels + height x triangles that are taller than a texel).
 template <typename Shader>
-Image bake_texture(const Polygon_soup& soup, std::size_t size, Shader shader, Index page = 0,
+Image bake_texture(const Polygon_soup& soup, Image_size size, Shader shader, Index page = 0,
                    const Execution& execution = Execution())
 {
   const internal::Page_raster raster(soup, size, page);
   const std::vector<bool> is_covered = raster.coverage();
-  const std::vector<Index> nearest = nearest_texels(is_covered, size, size);
-  Image image(size, size, {128, 128, 128});
-  execution.for_each(size, [&](std::size_t row) {
-    if (!execution.proceed(double(row) / double(size)))
+  const std::vector<Index> nearest = nearest_texels(is_covered, size.width, size.height);
+  Image image(size.width, size.height, {128, 128, 128});
+  execution.for_each(size.height, [&](std::size_t row) {
+    if (!execution.proceed(double(row) / double(size.height)))
       return;
-    for (std::size_t i = row * size; i < (row + 1) * size; ++i)
+    for (std::size_t i = row * size.width; i < (row + 1) * size.width; ++i)
       if (is_covered[i])
         image.pixels[i] = shader(raster.sample(i));
   });
@@ -179,7 +181,7 @@ inline Color color_of(const std::array<double, 3>& components)
 }
 
 /// \brief The colours of the vertices as a texture. \pre the soup has colours
-inline Image bake_vertex_colors(const Polygon_soup& soup, std::size_t size, Index page = 0)
+inline Image bake_vertex_colors(const Polygon_soup& soup, Image_size size, Index page = 0)
 {
   const auto color = [&](const Bake_sample& sample) {
     return color_of(
@@ -191,7 +193,7 @@ inline Image bake_vertex_colors(const Polygon_soup& soup, std::size_t size, Inde
 /// \brief Colours given by a function of the position in space as a texture.
 /// \param color_at a callable `Color(const Point_3&)`
 template <typename ColorAt>
-Image bake_procedural(const Polygon_soup& soup, std::size_t size, ColorAt color_at, Index page = 0)
+Image bake_procedural(const Polygon_soup& soup, Image_size size, ColorAt color_at, Index page = 0)
 {
   const auto color = [&](const Bake_sample& sample) {
     const auto p = sample.mean<std::array<double, 3>>(

@@ -82,14 +82,14 @@ private:
 /// Colours are interpolated between pixels; where the old texture is finer than the new one, a smaller
 /// version of it is taken, so that nothing is skipped. Faces without old coordinates get the colour of their
 /// material. \pre `old_uv` has an entry per corner, or no texture has a picture
-inline Image transfer_texture(const Polygon_soup& soup, std::size_t size, const Source_textures& source,
+inline Image transfer_texture(const Polygon_soup& soup, Image_size size, const Source_textures& source,
                               Index page = 0, const Execution& execution = Execution(),
                               const Color& missing = {128, 128, 128})
 {
   CGAL_precondition(soup.old_uv.empty() || soup.old_uv.size() == soup.number_of_corners());
   CGAL_precondition(source.face_texture.size() == soup.number_of_faces());
   const internal::Texture_sampler sampler(source);
-  const double texels = static_cast<double>(size) * static_cast<double>(size);
+  const double texels = static_cast<double>(size.width) * static_cast<double>(size.height);
   const auto color = [&](const Bake_sample& sample) {
     const Index texture = source.face_texture[sample.face];
     if (texture == no_index)
