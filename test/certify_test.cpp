@@ -333,6 +333,23 @@ TEST(Certify, TwoPairsAtTheSameEdge)
   EXPECT_TRUE(c.is_valid());
 }
 
+TEST(Certify, AnEdgeWithoutLengthIsNoSeam)
+{
+  // Two quads whose common edge has two vertices at one place. Found by fuzzing.
+  const Soup soup{{{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}, {1, -1, 0}},
+                  {{0, 1, 2, 3}, {1, 0, 4, 5}}};
+  Layout layout(soup);
+  layout.options.gutter = 1;
+  layout.uv = {{.25, .5}, {.5, .5}, {.5, .75}, {.25, .75}, {.5, .5}, {.25, .5}, {.25, .25}, {.5, .25}};
+  const Atlas_certificate whole = layout.certificate();
+  EXPECT_TRUE(whole.is_valid()) << message(whole);
+  EXPECT_EQ(whole.charts, 1u);
+  EXPECT_EQ(whole.non_disc_charts, 0u);
+  for (std::size_t c = 4; c < 8; ++c)
+    layout.uv[c] = layout.uv[c] + Vector_2(0, -.125);
+  EXPECT_EQ(layout.certificate().charts, 2u);
+}
+
 TEST(Certify, PolygonsAreTriangulated)
 {
   const Atlas_certificate c = Layout(squares(2, 3, 0.25, 0.125, true)).certificate();

@@ -61,7 +61,8 @@ private:
   }
 
   /// Glues edges with an opposite one by one; those without, and those of vertices that are not alone at
-  /// their place in space, place by place: there may be more triangles at the same edge.
+  /// their place in space, place by place: there may be more triangles at the same edge. The place of an edge
+  /// without length tells nothing.
   void glue()
   {
     const std::vector<bool> has_twin = find_twins();
@@ -69,10 +70,11 @@ private:
     std::vector<Index> others;
     for (Index h = 0; h < uv_.size(); ++h) {
       const Index o = surface_.opposite[h], n = next_halfedge(h);
-      const bool is_simple = o != no_index && !has_twin[vertex(h)] && !has_twin[vertex(n)];
+      const bool has_length = surface_.point(h) != surface_.point(n);
+      const bool is_simple = o != no_index && (!has_length || (!has_twin[vertex(h)] && !has_twin[vertex(n)]));
       if (is_simple && h < o)
         glue_pair(h, o);
-      else if (!is_simple && is_used(h / 3) && surface_.point(h) != surface_.point(n))
+      else if (!is_simple && has_length && is_used(h / 3))
         others.push_back(h);
     }
     glue_places(others);
