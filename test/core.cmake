@@ -2,3 +2,4 @@
 atlas_test(build_surface_test)
 atlas_test(measure_test)
 atlas_test(generate_atlas_test)
+atlas_test(Piece_rejoiner_test)

@@ -252,6 +252,9 @@ TEST(GenerateAtlasOnSurface, ModesTradeSeamsForDistortionAndTellTheirBound)
   EXPECT_LT(conformal.distortion.quasi_conformal_mean, 0.3 + 0.7 * standard.distortion.quasi_conformal_mean);
   EXPECT_EQ(standard.bound.measure, Distortion_measure::symmetric_dirichlet);
   EXPECT_EQ(standard.bound.max, Merge_options().max_distortion);
+  EXPECT_EQ(conformal.bound.measure, Distortion_measure::area_ratio_quantiles);
+  EXPECT_EQ(conformal.bound.max, 2);
+  EXPECT_EQ(conformal.charts_beyond_bound, 0u) << "it is validated, not only hoped for";
   for (const Chart_report& chart : conformal.charts) {
     // Only what least squares conformal maps do not map one-to-one is repaired.
     EXPECT_EQ(chart.flattening.is_optimized, chart.flattening.flips > 0 || chart.flattening.was_overlapping);

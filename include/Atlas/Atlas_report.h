@@ -69,7 +69,8 @@ struct [[nodiscard]] Atlas_report
   std::vector<Index> face_chart; ///< per face of the input: its chart, or `no_index` for a rejected face
   std::vector<Index> face_page;  ///< per face of the input: its page
   std::vector<Chart_report> charts;
-  std::size_t split_charts = 0; ///< how many charts were refused and split on the way
+  std::size_t split_charts = 0;    ///< how many charts were refused and split on the way
+  std::size_t rejoined_pieces = 0; ///< how many of the pieces were accepted together with a neighbour
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
   std::size_t charts_beyond_bound = 0;

@@ -62,9 +62,6 @@ inline constexpr double conformal_density_ratio = 2;
 /// The share of a chart's area that the bound on density leaves out at either end: a few triangles decide
 /// nothing.
 inline constexpr double default_density_quantile = 0.01;
-/// The same in the conformal mode: densities of a conformal map grow without bound at sharp corners of the
-/// border, and charts split there have more such corners.
-inline constexpr double conformal_density_quantile = 0.05;
 
 /// How trial flattenings end: the decision to merge needs no more digits.
 inline constexpr int default_trial_iterations = 8;
@@ -113,7 +110,7 @@ struct Default_validator : Exact_validator
 {
   explicit Default_validator(Atlas_mode mode = Atlas_mode::standard)
       : Exact_validator(mode == Atlas_mode::conformal ? conformal_density_ratio : default_density_ratio,
-                        mode == Atlas_mode::conformal ? conformal_density_quantile : default_density_quantile)
+                        default_density_quantile)
   {}
 };
 

@@ -101,6 +101,7 @@ inline Json to_json(const Atlas_report& report)
           {"gutter_texels", report.gutter},
           {"number_of_charts", report.charts.size()},
           {"split_charts", report.split_charts},
+          {"rejoined_pieces", report.rejoined_pieces},
           {"bound", {{"measure", name(report.bound.measure)}, {"max", report.bound.max}}},
           {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},

@@ -5,6 +5,7 @@
 #include <Atlas/Atlas_report.h>
 #include <Atlas/concepts.h>
 #include <Atlas/extract_charts.h>
+#include <Atlas/internal/Piece_rejoiner.h>
 #include <Atlas/internal/Slit_opener.h>
 #include <Atlas/internal/round_coordinates.h>
 #include <Atlas/measure/area.h>
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -65,7 +67,10 @@ public:
     if (!(report_.area > 0) || !std::isfinite(report_.area))
       return report_;
     timed(Stage::segmentation, [&] { segment(); });
-    timed(Stage::parameterization, [&] { flatten(chart_numbers()); });
+    timed(Stage::parameterization, [&] {
+      flatten(chart_numbers());
+      rejoin();
+    });
     for (int round = 0; !execution_.is_cancelled(); ++round) {
       timed(Stage::packing, [&] { pack(); });
       std::vector<Index> refused;
@@ -198,17 +203,23 @@ private:
     std::vector<Index> local(
         surface_.number_of_triangles()); // charts are disjoint: each writes its own entries
     execution_.for_each(open.size(), [&](std::size_t i) {
-      Chart& chart = results[i].chart;
-      chart = extract_chart(surface_, segmentation_, lists[i], local);
-      results[i].verdict.status = parameterize(chart, results[i].record);
-      if (results[i].verdict.status == Chart_status::valid)
-        results[i].verdict.status = optimizer_.optimize(chart, execution_);
-      if (results[i].verdict.status == Chart_status::valid) {
-        give_area(chart);
-        results[i].verdict = validator_.validate(chart, execution_);
-      }
+      results[i] = flatten_chart(extract_chart(surface_, segmentation_, lists[i], local));
     });
     return results;
+  }
+
+  Flattened flatten_chart(Chart chart) const
+  {
+    Flattened result{std::move(chart), {}, {}};
+    Chart_verdict& verdict = result.verdict;
+    verdict.status = parameterize(result.chart, result.record);
+    if (verdict.status == Chart_status::valid)
+      verdict.status = optimizer_.optimize(result.chart, execution_);
+    if (verdict.status == Chart_status::valid) {
+      give_area(result.chart);
+      verdict = validator_.validate(result.chart, execution_);
+    }
+    return result;
   }
 
   /// Parameterizers may tell what they did.
@@ -234,6 +245,45 @@ private:
     const auto snap = [&](double x) { return std::round(x / extent * fineness) / fineness * side; };
     for (Point_2& p : chart.uv)
       p = Point_2(snap(p.x() - box.xmin()), snap(p.y() - box.ymin()));
+  }
+
+  /// Gives pieces of refused charts to charts that stay within the bound with them, or get no worse.
+  void rejoin()
+  {
+    std::vector<Index> pieces;
+    for (Index c = 0; c < is_piece_.size(); ++c)
+      if (is_piece_[c])
+        pieces.push_back(c);
+    if (pieces.empty() || execution_.is_cancelled())
+      return;
+    const auto distortion = [&](const Flattened& f) {
+      return value(measure_distortion(f.chart), report_.bound.measure);
+    };
+    const auto accept = [&](const Flattened& joined, const Flattened& a, const Flattened& b) {
+      return joined.verdict.is_valid() &&
+             distortion(joined) <= std::max({report_.bound.max, distortion(a), distortion(b)});
+    };
+    const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
+    report_.rejoined_pieces =
+        Piece_rejoiner(surface_, segmentation_, accepted_, flatten, accept, execution_).run(pieces);
+    close_gaps_in_numbers();
+  }
+
+  void close_gaps_in_numbers()
+  {
+    std::vector<Index> number(accepted_.size(), no_index);
+    Index charts = 0;
+    for (Index c = 0; c < accepted_.size(); ++c)
+      if (!accepted_[c].chart.source.empty()) {
+        number[c] = charts;
+        if (c != charts)
+          accepted_[charts] = std::move(accepted_[c]);
+        ++charts;
+      }
+    accepted_.resize(charts);
+    segmentation_.number_of_charts = charts;
+    for (Index& c : segmentation_.chart)
+      c = number[c];
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
@@ -290,6 +340,9 @@ private:
       return {};
     std::vector<Index> open = cut_to_discs(surface_, segmentation_, split, execution_);
     accepted_.resize(segmentation_.number_of_charts);
+    is_piece_.resize(segmentation_.number_of_charts, 0);
+    for (const Index c : open)
+      is_piece_[c] = 1;
     return open;
   }
 
@@ -447,8 +500,9 @@ private:
   Progress progress_;
 
   Segmentation segmentation_;
-  std::vector<Flattened> accepted_; ///< per chart, in units of the model
-  std::vector<Chart> charts_;       ///< per chart, on its page, rounded
+  std::vector<Flattened> accepted_;    ///< per chart, in units of the model
+  std::vector<std::uint8_t> is_piece_; ///< per chart: whether it came from a refused one
+  std::vector<Chart> charts_;          ///< per chart, on its page, rounded
   std::vector<std::vector<Index>> rounding_faults_;
   std::vector<Index> face_page_;
   std::vector<Point_2> corner_uv_;

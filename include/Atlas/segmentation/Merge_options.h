@@ -15,6 +15,9 @@ struct Merge_options
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   /// The bound of each chart that comes from merging, as flattened on the coarse surface.
   double max_distortion = 1.037;
+  /// The share of what the bound allows beyond 1 that trials on the coarse surface may use: less than 1
+  /// leaves a margin for what shows at full resolution only.
+  double share_for_trials = 1;
   /// Charts get no larger than this share of the surface's area, or pages would not pack ...
   double max_area_share = 0.25;
   /// ... unless they fill this share of their convex hull.
@@ -63,14 +66,15 @@ inline Merge_options few_seams_options()
 
 /// For maps that are conformal and nothing else (section 3.3 of the LSCM paper): densities in a chart differ
 /// by a factor of two at most, but for the extreme hundredth of the area at either end. To be used with a
-/// parameterizer that keeps LSCM's maps as they are. The extremes of a conformal map sit in the details of
-/// the border, which the coarse surface does not have; so the bound leaves a margin, and the surface is finer
-/// than usual.
+/// parameterizer that keeps LSCM's maps as they are, and a validator with the same bound. The extremes of a
+/// conformal map sit in the details of the border, which the coarse surface does not have; so trials keep a
+/// margin, and the surface is finer than usual.
 inline Merge_options conformal_options()
 {
   Merge_options options;
   options.measure = Distortion_measure::area_ratio_quantiles;
-  options.max_distortion = 1.6;
+  options.max_distortion = 2;
+  options.share_for_trials = 0.6;
   options.triangles_per_chart = 240;
   options.max_trial_triangles = 20000;
   return options;

@@ -26,12 +26,13 @@ inline double solidity(const Chart& layout)
   return area_uv(layout) / hull_area(layout.uv);
 }
 
-/// Whether the distortion beyond 1 is at most `factor` times that of the bound and no triangle is flipped.
+/// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
   const Atlas::Distortion distortion = measure_distortion(layout);
   if (std::isfinite(factor) &&
-      !(value(distortion, options.measure) <= 1 + factor * (options.max_distortion - 1)))
+      !(value(distortion, options.measure) <=
+        1 + factor * options.share_for_trials * (options.max_distortion - 1)))
     return false;
   for (const auto& [u, v, w] : layout.triangles)
     if (CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_INTERNAL_PIECE_REJOINER_H
+#define ATLAS_INTERNAL_PIECE_REJOINER_H
+
+#include <Atlas/Chart.h>
+#include <Atlas/Execution.h>
+#include <Atlas/Surface.h>
+#include <Atlas/extract_charts.h>
+#include <Atlas/internal/Chart_gluing.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// \brief Gives pieces of refused charts to other charts that are accepted with them.
+///
+/// A chart that is split where one corner of it is too much for the bound leaves pieces that often fit
+/// somewhere else, or with each other. Smallest first, each tries the neighbours with which it shares most
+/// border; what is accepted is the flattening at full resolution.
+///
+/// \tparam Flattened  has a `Chart chart`, empty for charts that are gone
+/// \tparam Flatten    `Flattened(Chart)`, may be called from several threads
+/// \tparam Accept     `bool(const Flattened& joined, const Flattened& a, const Flattened& b)`
+template <typename Flattened, typename Flatten, typename Accept>
+class Piece_rejoiner
+{
+public:
+  Piece_rejoiner(const Surface& surface, Segmentation& segmentation, std::vector<Flattened>& charts,
+                 const Flatten& flatten, const Accept& accept, const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), charts_(charts), flatten_(flatten), accept_(accept),
+        execution_(execution), gluing_(surface, segmentation), local_(surface.number_of_triangles()),
+        budget_(work * surface.number_of_triangles())
+  {}
+
+  /// Returns how many pieces found another chart. Charts that are gone keep their numbers, without triangles.
+  std::size_t run(const std::vector<Index>& pieces)
+  {
+    std::size_t joined = 0;
+    for (int pass = 0; pass < passes; ++pass) { // a neighbour that has grown may take what it refused
+      std::vector<Piece> open;
+      for (const Index c : pieces)
+        if (size(c) > 0)
+          open.push_back({c, {}});
+      std::stable_sort(open.begin(), open.end(),
+                       [&](const Piece& a, const Piece& b) { return size(a.chart) < size(b.chart); });
+      while (!open.empty() && !execution_.is_cancelled())
+        joined += join_some(open);
+    }
+    return joined;
+  }
+
+private:
+  static constexpr int passes = 2;
+  /// How many times as many triangles as the surface has may be flattened in vain.
+  static constexpr std::size_t work = 5;
+  /// How many neighbours a piece tries.
+  static constexpr std::size_t tries = 4;
+  /// Pairs that are tried at a time, among so many pieces. Part of the result: not a number of threads.
+  static constexpr std::size_t batch = 8, window = 4 * batch;
+
+  struct Piece
+  {
+    Index chart;
+    std::vector<Index> tried;
+  };
+  struct Trial
+  {
+    Index piece, other;
+    Flattened joined;
+  };
+
+  std::size_t size(Index c) const { return charts_[c].chart.number_of_triangles(); }
+
+  /// One batch of disjoint pairs. Pieces that are joined or have nothing more to try leave `open`.
+  std::size_t join_some(std::vector<Piece>& open)
+  {
+    std::vector<Trial> trials = take_trials(open);
+    for (const Trial& trial : trials)
+      gluing_.glue(charts_[trial.piece].chart, trial.other);
+    execution_.for_each(trials.size(), [&](std::size_t i) { attempt(trials[i]); });
+    std::size_t joined = 0;
+    for (Trial& trial : trials)
+      joined += settle(trial);
+    std::erase_if(open, [&](const Piece& piece) { return size(piece.chart) == 0; });
+    return joined;
+  }
+
+  std::vector<Trial> take_trials(std::vector<Piece>& open)
+  {
+    std::vector<Trial> trials;
+    std::vector<Index> busy;
+    const auto is_busy = [&](Index c) { return std::find(busy.begin(), busy.end(), c) != busy.end(); };
+    std::vector<std::uint8_t> is_done(std::min(open.size(), window), 0);
+    for (std::size_t i = 0; i < is_done.size() && trials.size() < batch; ++i) {
+      Piece& piece = open[i];
+      const Index other = next_neighbour(piece);
+      if (other == no_index)
+        is_done[i] = !is_busy(piece.chart); // who is busy may end up in another chart
+      if (other == no_index || is_busy(piece.chart) || is_busy(other))
+        continue;
+      piece.tried.push_back(other);
+      const std::size_t triangles = size(piece.chart) + size(other);
+      if (triangles > budget_)
+        continue;
+      budget_ -= triangles;
+      trials.push_back({piece.chart, other, {}});
+      busy.push_back(piece.chart);
+      busy.push_back(other);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (i >= is_done.size() || !is_done[i]) {
+        if (kept != i)
+          open[kept] = std::move(open[i]);
+        ++kept;
+      }
+    open.resize(kept);
+    return trials;
+  }
+
+  Index next_neighbour(const Piece& piece) const
+  {
+    if (piece.tried.size() < tries)
+      for (const Index other : gluing_.neighbours(charts_[piece.chart].chart))
+        if (std::find(piece.tried.begin(), piece.tried.end(), other) == piece.tried.end())
+          return other;
+    return no_index;
+  }
+
+  void attempt(Trial& trial)
+  {
+    const std::vector<Index>&a = charts_[trial.piece].chart.source, &b = charts_[trial.other].chart.source;
+    std::vector<Index> triangles;
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(triangles));
+    Chart chart = extract_chart(surface_, segmentation_, triangles, local_);
+    if (topology(chart).is_disc())
+      trial.joined = flatten_(std::move(chart));
+  }
+
+  bool settle(Trial& trial)
+  {
+    Flattened &piece = charts_[trial.piece], &other = charts_[trial.other];
+    const bool is_accepted = !trial.joined.chart.source.empty() && accept_(trial.joined, piece, other);
+    if (is_accepted) {
+      budget_ += trial.joined.chart.number_of_triangles(); // only failures are counted
+      other = std::move(trial.joined);
+      piece = Flattened();
+    } else {
+      gluing_.undo(piece.chart);
+    }
+    return is_accepted;
+  }
+
+  const Surface& surface_;
+  Segmentation& segmentation_;
+  std::vector<Flattened>& charts_;
+  const Flatten& flatten_;
+  const Accept& accept_;
+  const Execution& execution_;
+  Chart_gluing gluing_;
+  std::vector<Index> local_; ///< scratch: charts are disjoint, each writes its own entries
+  std::size_t budget_;
+};
+
+} // namespace Atlas::internal
+
+#endif
