@@ -159,6 +159,27 @@ for size in 64x 0x64 64x0 x64 64x64x64 64X64 70000 -1; do
   expect 2 1 cube.obj -o out/a.obj --texture-size=$size
 done
 
+# Several meshes in one file have one density.
+(cat cube.obj && sed -n 's/^v \(.*\) \(.*\) \(.*\)/\1 \2 \3/p' cube.obj | awk '{ print "v", 5 + 3 * $1, 3 * $2, 3 * $3 }' &&
+ sed -n 's/^f //p' cube.obj | awk '{ print "f", $1 + 8, $2 + 8, $3 + 8, $4 + 8 }') >two.obj
+expect 0 0 two.obj -o out/a.obj --hard-angle 60 --gutter 4 --rotation none
+python3 - out/a.obj <<'DENSITY' || fail "two meshes have two densities"
+import math, sys
+v, vt, densities = [], [], []
+for line in open(sys.argv[1]):
+    words = line.split()
+    if words[:1] == ["v"]:
+        v.append([float(x) for x in words[1:4]])
+    if words[:1] == ["vt"]:
+        vt.append([float(x) for x in words[1:3]])
+    if words[:1] == ["f"]:
+        corners = [[int(i) - 1 for i in word.split("/")] for word in words[1:]]
+        for a, b in zip(corners, corners[1:]):
+            densities.append(math.dist(vt[a[1]], vt[b[1]]) / math.dist(v[a[0]], v[b[0]]))
+sys.exit(len(densities) != 36 or max(densities) > 1.0001 * min(densities))
+DENSITY
+rm out/*
+
 # The same bytes for any number of threads.
 expect 0 0 cube.obj -o out/1.obj --threads 1
 expect 0 0 cube.obj -o out/2.obj --threads 3

@@ -297,6 +297,62 @@ TEST(Page_options, packs_around_locked_charts)
   EXPECT_EQ(Raster_packer().pack(charts, page, Execution(1)).placements[3].x, 90);
 }
 
+TEST(Page_options, takes_locked_charts_on_far_pages)
+{
+  std::vector<Chart> charts = random_charts(Chart_family::blobs, 9, 3);
+  Page_options page = page_of(128);
+  page.locked.resize(charts.size());
+  const Index far = no_index - 1; // a list with an entry per page would not fit into memory
+  page.locked[1] = Placement{20, 0, 60, 60, far};
+  for (const double density : {0.0, 10.0}) {
+    page.density = density;
+    const Packing packing = Horizon_packer().pack(charts, page, Execution(1));
+    EXPECT_EQ(packing.number_of_pages, no_index);
+    EXPECT_EQ(packing.placements[1].page, far);
+    EXPECT_EQ(packing.placements[0].page, 0u);
+    EXPECT_EQ(packing.placements[2].page, 0u);
+    expect_clear(charts, packing, page, 2);
+  }
+  page.locked[1]->page = no_index;
+  EXPECT_ANY_THROW((void)Horizon_packer().pack(charts, page, Execution(1)));
+}
+
+/// Locked charts do not take the other pages away.
+TEST(Page_options, uses_free_pages_beside_locked_charts)
+{
+  const std::vector<Chart> charts{rectangle_chart(1, 1), rectangle_chart(1, 1)};
+  Page_options page = page_of(64);
+  page.pages = 2;
+  page.locked = {Placement{62, 0, 1, 1}, std::nullopt}; // the first page is full
+  const Packing packing = Horizon_packer().pack(charts, page, Execution(1));
+  ASSERT_EQ(packing.number_of_pages, 2u);
+  EXPECT_EQ(packing.placements[1].page, 1u);
+  EXPECT_GT(packing.density, 40); // diagonals stand upright
+}
+
+/// Counts what is asked of the engine of `Page_filler`, which is the horizon's.
+TEST(Page_options, fills_many_pages_with_few_attempts)
+{
+  for (const Index height : {64u, 150u}) {
+    const std::vector<Chart> charts = random_charts(Chart_family::blobs, 21, 400);
+    Page_options page{64, height, 1};
+    page.density = 15;
+    int attempts = 0;
+    const auto counted = [&](const auto& outlines, const auto& one, double most_scale,
+                             const auto& execution) {
+      ++attempts;
+      return internal::horizon_layout(outlines, one, internal::Horizon_source::outline, most_scale,
+                                      execution);
+    };
+    const Packing packing = internal::pack_pages(charts, page, counted, Execution(1));
+    EXPECT_DOUBLE_EQ(packing.density, 15);
+    EXPECT_GT(packing.number_of_pages, 15u);
+    EXPECT_LT(attempts, 3.5 * packing.number_of_pages);
+    expect_clear(charts, packing, page, 1);
+    EXPECT_GT(efficiency(charts, packing, page) / packing.number_of_pages, 0.35);
+  }
+}
+
 TEST(pack_charts, repacks_coordinates_of_corners)
 {
   // Six quads that all lie on top of each other, as a careless tool leaves them.

@@ -30,6 +30,7 @@ expect_match 0 'valid' piled.obj -o out.obj --texture-size 256 --effort fast --t
 cmp -s out.obj one.obj || fail "one thread gives other bytes"
 [ "$(grep -c '^f ' out.obj)" -eq 5 ] || fail "faces are lost"
 expect_match 0 'valid' piled.obj -o out.obj --texture-size 256x128 --gutter 6 --effort fast --rotation quarter
+valid out.obj --texture-size 256x128 --gutter 6
 expect_match 0 'valid' out.obj -o again.obj --texture-size 64 --effort fast --rotation none
 # 100 texels per unit: each quad measures 10 x 20 texels; a page of 32 x 32 holds two of them at most.
 expect_match 0 'pages=[345] .*texels_per_unit=100 ' piled.obj -o out.obj --texture-size 32 --density 100 --effort fast
@@ -40,6 +41,37 @@ expect_match 1 'NOT VALID' folded.obj -o out.obj --texture-size 64 --effort fast
 expect_match 0 'valid' piled.obj -o out.obj --texture-size 64 --effort fast --texture paint.png
 grep -q 'map_Kd paint.png' out.mtl || fail "no texture in the material library"
 expect_match 0 'Usage' --help
+# What charts of materials may do. `sides FILE`: the width in texels of each face on a page of 256.
+(sed '/^f /d' piled.obj
+ printf 'usemtl a\n' && grep '^f ' piled.obj | sed -n '1,2p'
+ printf 'usemtl b=c\n' && grep '^f ' piled.obj | sed -n '3,5p') >materials.obj
+sides() {
+  awk '$1 == "vt" { u[++n] = $2 * 256; v[n] = $3 * 256 }
+       $1 == "f" { split($2, a, "/"); split($3, b, "/"); printf "%.2f\n", sqrt((u[a[2]] - u[b[2]])^2 + (v[a[2]] - v[b[2]])^2) }' "$1"
+}
+expect_match 0 'valid' materials.obj -o out.obj --texture-size 256 --weight b=c=2.5 --effort fast
+sides out.obj | awk '{ s[NR] = $1 } END { exit !(NR == 5 && s[1] > 1 && s[3] / s[1] > 2.499 && s[3] / s[1] < 2.501 && s[1] == s[2]) }' ||
+  fail "weights: $(sides out.obj | tr '\n' ' ')"
+expect_match 0 'gutter=8.00 .*valid' materials.obj -o out.obj --texture-size 256 --mip-levels 3 --effort fast
+expect_match 0 'gutter=5.66 .*valid' materials.obj -o out.obj --texture-size 256 --block 4 --effort fast
+# Charts apart from each other already: those of one material stay, in their tile.
+awk '$1 == "vt" { next } { print }
+     $1 == "v" && !done { for (i = 0; i < 5; ++i) { x = 0.15 * i + (i > 3)
+       printf "vt %g 0.1\nvt %g 0.1\nvt %g 0.3\nvt %g 0.3\n", x, x + 0.1, x + 0.1, x } done = 1 }' materials.obj |
+  awk '$1 == "f" { for (k = 0; k < 4; ++k) printf "%s%d/%d%s", k ? " " : "f ", 4 * n + k + 1, 4 * n + k + 1, k < 3 ? "" : "\n"; ++n; next } { print }' >apart.obj
+corners() { awk '$1 == "vt" { u[++n] = $2; v[n] = $3 } $1 == "f" { for (k = 2; k <= NF; ++k) { split($k, a, "/"); printf "%.5f %.5f ", u[a[2]], v[a[2]] } print "" }' "$1"; }
+expect_match 0 'pages=2.*valid' apart.obj -o out.obj --texture-size 256 --lock b=c --effort fast
+[ "$(corners out.obj | sed -n '3,5p')" = "$(corners apart.obj | sed -n '3,5p')" ] || fail "locked charts have moved"
+[ "$(corners out.obj | sed -n '1,2p')" = "$(corners apart.obj | sed -n '1,2p')" ] && fail "the other charts stay"
+expect_match 0 'valid' apart.obj -o out.obj --texture-size 256 --group a --effort fast
+corners out.obj | awk '{ x[NR] = $1; y[NR] = $2; w[NR] = sqrt(($1 - $3)^2 + ($2 - $4)^2) }
+  END { d = sqrt((x[1] - x[2])^2 + (y[1] - y[2])^2) / w[1]; exit !(d > 1.499 && d < 1.501) }' || fail "no group"
+expect_match 2 'weight' materials.obj -o out.obj --weight a
+expect_match 2 'weight' materials.obj -o out.obj --weight a=-1
+expect_match 2 "no material called 'none'" materials.obj -o out.obj --lock none
+expect_match 2 'square' materials.obj -o out.obj --lock a --texture-size 64x32
+sed 's/^vt 1.6 /vt 91.6 /; s/^vt 1.7 /vt 91.7 /' apart.obj >far.obj
+expect_match 2 'outside of the tiles' far.obj -o out.obj --lock b=c
 expect_match 2 'no texture coordinates' bare.obj -o out.obj
 expect_match 2 'missing.obj' missing.obj -o out.obj
 expect_match 2 'broken.glb' broken.glb -o out.obj

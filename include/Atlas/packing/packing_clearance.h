@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,7 @@ inline Packing_clearance packing_clearance(std::span<const Chart> charts, const 
     return static_cast<double>(static_cast<float>(texel / n)) * n;
   };
   Packing_clearance result{limit, std::max(size[0], size[1])};
-  std::vector<std::vector<internal::Placed_outline>> pages(packing.number_of_pages);
+  std::map<Index, std::vector<internal::Placed_outline>> pages;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const Placement& placement = packing.placements[i];
     const internal::Outline& outline = outlines.charts[i];
@@ -51,9 +52,9 @@ inline Packing_clearance packing_clearance(std::span<const Chart> charts, const 
       placed.points.push_back(r);
     }
     if (!outline.is_empty())
-      pages.at(placement.page).push_back(std::move(placed));
+      pages[placement.page].push_back(std::move(placed));
   }
-  for (const auto& placed : pages)
+  for (const auto& [page_number, placed] : pages)
     internal::Separation(placed, limit).search([&](Index, Index, double distance) {
       result.charts = std::min(result.charts, distance);
       return result.charts > 0;

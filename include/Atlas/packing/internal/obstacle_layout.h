@@ -47,6 +47,36 @@ struct Obstacles
   }
 };
 
+/// Whether outlines keep twice the layout's margin from each other and from obstacles, and the margin from
+/// the border of the page. Obstacles are not checked against each other.
+inline bool keeps_margin(const Outlines& outlines, const Layout& layout, const Obstacles& obstacles,
+                         const Page_options& page)
+{
+  std::vector<Placed_outline> placed;
+  const auto place = [&](const Outline& outline, Vec2 r, Vec2 position) {
+    placed.push_back({&outline, {}});
+    for (const Vec2& p : outline.points)
+      placed.back().points.push_back(position + rotated(r, p));
+  };
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (outlines.charts[i].is_empty())
+      continue;
+    place(outlines.charts[i], layout.scale * layout.turns[i], layout.positions[i]);
+    for (const Vec2& p : placed.back().points)
+      if (std::min({p.x, p.y, page.width - p.x, page.height - p.y}) < layout.margin)
+        return false;
+  }
+  const std::size_t movable = placed.size();
+  for (const Outline& outline : obstacles.outlines)
+    place(outline, {1, 0}, outline.centre);
+  bool is_kept = true;
+  Separation(placed, 2 * layout.margin).search([&](Index i, Index j, double) {
+    is_kept = i >= movable && j >= movable;
+    return is_kept;
+  });
+  return is_kept;
+}
+
 /// Packs charts around obstacles: on a raster, grown by so much that no rounding to pixels brings them too
 /// near, with an exact test of every layout.
 class Obstacle_packer
@@ -100,7 +130,9 @@ public:
       result.turns[numbers_[i]] = rotated(found->turns[i], shapes_[i].frame);
       result.positions[numbers_[i]] = found->positions[i];
     }
-    return is_exact(result) ? std::optional(std::move(result)) : std::nullopt;
+    if (!keeps_margin(*outlines_, result, *obstacles_, *page_))
+      return std::nullopt;
+    return result;
   }
 
 private:
@@ -112,30 +144,6 @@ private:
     result.cell = 0.5 * pixel_ / scale;
     result.gutter = (page_->gutter + 2 * pixel_) / scale;
     return result;
-  }
-
-  bool is_exact(const Layout& layout) const
-  {
-    std::vector<Placed_outline> placed;
-    const auto place = [&](const Outline& outline, Vec2 r, Vec2 position) {
-      placed.push_back({&outline, {}});
-      for (const Vec2& p : outline.points)
-        placed.back().points.push_back(position + rotated(r, p));
-    };
-    for (const Index i : numbers_) {
-      place(outlines_->charts[i], layout.scale * layout.turns[i], layout.positions[i]);
-      for (const Vec2& p : placed.back().points)
-        if (std::min({p.x, p.y, page_->width - p.x, page_->height - p.y}) < layout.margin)
-          return false;
-    }
-    for (const Outline& outline : obstacles_->outlines)
-      place(outline, {1, 0}, outline.centre);
-    bool is_good = true;
-    Separation(placed, 2 * layout.margin).search([&](Index i, Index j, double) {
-      is_good = i >= numbers_.size() && j >= numbers_.size();
-      return is_good;
-    });
-    return is_good;
   }
 
   const Outlines* outlines_;
