@@ -94,6 +94,12 @@ expect 0 0 cube.obj -o out/a.obj --hard-angle 60
 for mode in standard few-seams conformal; do
   expect 0 0 cube.obj -o out/a.obj --mode $mode --max-distortion 1.2
 done
+for measure in symmetric-dirichlet l2-stretch linf-stretch area-ratio area-ratio-quantiles quasi-conformal; do
+  expect 0 0 cube.obj -o out/a.obj --measure $measure --max-distortion 1.3
+  grep -q "\"measure\": \"$(echo $measure | tr - _)" out/a.json || fail "the report names another measure: $measure"
+done
+expect 2 1 cube.obj -o out/b.obj --measure l2-stretch
+expect 2 1 cube.obj -o out/b.obj --measure length --max-distortion 1.3
 expect 0 0 cube.obj -o out/a.obj --max-charts 2
 [ "$(charts)" -eq 2 ] || fail "two charts asked for: $(charts)"
 sed 's/^f 1 3/usemtl a\n&/; s/^f 1 2/usemtl b\n&/' cube.obj >materials.obj
@@ -203,7 +209,7 @@ expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
 expect 2 1 cube.obj cube.obj -o out/a.obj
 expect 0 0 --help
-for option in MESH --output --mode --max-distortion --max-charts --min-chart-texels --hard-angle --separate-materials \
+for option in MESH --output --mode --max-distortion --measure --max-charts --min-chart-texels --hard-angle --separate-materials \
   --keep-uv --texture-size --gutter --pages --density --effort --rotation --mip-levels --block --report --threads \
   --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"

@@ -73,10 +73,19 @@ void declare_options(CLI::App& app, Options& options)
          "charts with more of it, `conformal` least squares conformal maps as they are")
       ->check(CLI::IsMember({"standard", "few-seams", "conformal"}))
       ->capture_default_str();
-  app.add_option("--max-distortion", options.max_distortion,
-                 "Charts merge while their mean symmetric Dirichlet energy (1 is isometric), in the mode "
-                 "`conformal` the ratio of densities, stays below this. Default: that of the mode")
-      ->check(CLI::Range(1.0, 1e6));
+  CLI::Option* max_distortion =
+      app.add_option("--max-distortion", options.max_distortion,
+                     "Charts merge while their mean symmetric Dirichlet energy (1 is isometric), in the mode "
+                     "`conformal` the ratio of densities, stays below this. Default: that of the mode")
+          ->check(CLI::Range(1.0, 1e6));
+  app.add_option(
+         "--measure", options.measure,
+         "What --max-distortion is about instead; 1 is best. `area-ratio` is the largest over the "
+         "smallest density in a chart, with `-quantiles` but for the extreme 1 % of the area at either "
+         "end; charts that do not keep these are split")
+      ->check(CLI::IsMember({"symmetric-dirichlet", "l2-stretch", "linf-stretch", "area-ratio",
+                             "area-ratio-quantiles", "quasi-conformal"}))
+      ->needs(max_distortion);
   app.add_option(
       "--max-charts", options.max_charts,
       "Merge on until there are at most so many charts, as far as they stay discs. Default: no limit");
@@ -159,7 +168,7 @@ void complete(const CLI::App& app, Options& options)
                                                CLI::detail::to_string(options.page.effective_gutter()) +
                                                " texels");
   if (options.keeps_uv)
-    for (const char* name : {"--mode", "--max-distortion", "--max-charts", "--min-chart-texels",
+    for (const char* name : {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels",
                              "--hard-angle", "--separate-materials"})
       if (app.count(name) > 0)
         throw CLI::ValidationError("--keep-uv", std::string("the charts of the file stay as they are, so ") +

@@ -16,6 +16,17 @@ Atlas::Atlas_mode mode_of(const std::string& name)
   return name == "few-seams" ? few_seams : name == "conformal" ? conformal : standard;
 }
 
+Atlas::Distortion_measure measure_of(const std::string& name)
+{
+  using enum Atlas::Distortion_measure;
+  return name == "l2-stretch"             ? l2_stretch
+         : name == "linf-stretch"         ? linf_stretch
+         : name == "area-ratio"           ? area_ratio
+         : name == "area-ratio-quantiles" ? area_ratio_quantiles
+         : name == "quasi-conformal"      ? quasi_conformal
+                                          : symmetric_dirichlet;
+}
+
 Atlas::Packing_effort effort_of(const std::string& name)
 {
   using enum Atlas::Packing_effort;
@@ -40,6 +51,8 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   Atlas::Merge_options merge = Atlas::merge_options(mode);
   if (options.max_distortion > 0)
     merge.max_distortion = options.max_distortion;
+  if (!options.measure.empty())
+    merge.measure = measure_of(options.measure);
   const auto common = Atlas::parameters::page_options(options.page)
                           .packer(Atlas::Raster_packer(effort_of(options.effort)))
                           .number_of_threads(options.threads)

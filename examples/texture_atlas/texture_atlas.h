@@ -21,7 +21,7 @@ enum class Bake { colors, texture, normals, occlusion };
 struct Options
 {
   std::string mesh, output, report, picture;
-  std::string mode = "standard", effort = "fast", rotation = "any";
+  std::string mode = "standard", measure, effort = "fast", rotation = "any";
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
   std::size_t max_charts = 0;
   std::string texture_size = std::to_string(Atlas::default_texture_size);

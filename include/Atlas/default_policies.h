@@ -9,6 +9,8 @@
 #include <Atlas/segmentation/Variational_segmentation.h>
 #include <Atlas/validation/Exact_validator.h>
 
+#include <limits>
+
 namespace Atlas {
 
 /// \brief What matters most in an atlas.
@@ -57,8 +59,6 @@ inline Finish finish(Atlas_mode mode)
 /// `default_density_quantile` of the area on either side left out: texel density varies at most by its square
 /// root.
 inline constexpr double default_density_ratio = 4;
-/// The same in the conformal mode: the paper's bound.
-inline constexpr double conformal_density_ratio = 2;
 /// The share of a chart's area that the bound on density leaves out at either end: a few triangles decide
 /// nothing.
 inline constexpr double default_density_quantile = 0.01;
@@ -105,13 +105,28 @@ using Default_optimizer = Identity_optimizer;
 
 using Default_packer = Raster_packer;
 
-/// Exact one-to-one test, and a bound on density that serves as a safety net of the merge.
+/// Exact one-to-one test, and a bound on density: the one under which charts merge, if it is of that kind,
+/// else a safety net. There is none where a wish for few or large charts goes before.
 struct Default_validator : Exact_validator
 {
-  explicit Default_validator(Atlas_mode mode = Atlas_mode::standard)
-      : Exact_validator(mode == Atlas_mode::conformal ? conformal_density_ratio : default_density_ratio,
-                        default_density_quantile)
+  explicit Default_validator(Atlas_mode mode = Atlas_mode::standard) : Default_validator(merge_options(mode))
   {}
+
+  /// \param options  when charts merge
+  explicit Default_validator(const Merge_options& options)
+      : Exact_validator(max_density_ratio(options),
+                        options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile)
+  {}
+
+private:
+  static double max_density_ratio(const Merge_options& options)
+  {
+    if (options.max_charts > 0 || options.min_chart_area > 0)
+      return std::numeric_limits<double>::infinity();
+    const bool is_bounded = options.measure == Distortion_measure::area_ratio ||
+                            options.measure == Distortion_measure::area_ratio_quantiles;
+    return is_bounded ? options.max_distortion : default_density_ratio;
+  }
 };
 
 } // namespace Atlas

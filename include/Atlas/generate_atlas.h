@@ -52,13 +52,13 @@ Atlas_report run_pipeline(const Surface& surface, std::vector<Point_2>& corner_u
   using CGAL::parameters::get_parameter;
   const Page_options page = page_options(np);
   const Atlas_mode mode = choose_parameter(get_parameter(np, mode_t()), Atlas_mode::standard);
+  const Merge_options merge = chosen_merge_options(np, mode, page);
   const auto segmentation =
-      choose_parameter(get_parameter(np, segmentation_t()),
-                       Default_segmentation(chosen_merge_options(np, mode, page), finish(mode)));
+      choose_parameter(get_parameter(np, segmentation_t()), Default_segmentation(merge, finish(mode)));
   const auto parameterizer =
       choose_parameter(get_parameter(np, parameterizer_t()), Default_parameterizer(mode));
   const auto optimizer = choose_parameter(get_parameter(np, optimizer_t()), Default_optimizer());
-  const auto validator = choose_parameter(get_parameter(np, validator_t()), Default_validator(mode));
+  const auto validator = choose_parameter(get_parameter(np, validator_t()), Default_validator(merge));
   const auto packer = choose_parameter(get_parameter(np, packer_t()), Default_packer());
   const auto threads = choose_parameter(get_parameter(np, number_of_threads_t()), 0u);
   const Progress progress = choose_parameter(get_parameter(np, progress_t()), Progress());

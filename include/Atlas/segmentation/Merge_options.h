@@ -73,7 +73,7 @@ inline Merge_options conformal_options()
 {
   Merge_options options;
   options.measure = Distortion_measure::area_ratio_quantiles;
-  options.max_distortion = 2;
+  options.max_distortion = 2; // the paper's
   options.share_for_trials = 0.6;
   options.triangles_per_chart = 240;
   options.max_trial_triangles = 20000;
