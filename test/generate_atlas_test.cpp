@@ -264,6 +264,20 @@ TEST(GenerateAtlasOnSurface, ModesTradeSeamsForDistortionAndTellTheirBound)
     EXPECT_TRUE(chart.flattening.is_optimized);
 }
 
+TEST(GenerateAtlasOnSurface, OneChartOfASphereIsNotSplitForItsDistortion)
+{
+  const Surface surface = surface_of(sphere(4));
+  std::vector<Point_2> uv;
+  const Atlas_report usual = generate_atlas(surface, uv),
+                     one = generate_atlas(surface, uv, parameters::max_charts(1));
+  EXPECT_GT(usual.charts.size(), 1u);
+  ASSERT_EQ(one.charts.size(), 1u);
+  EXPECT_TRUE(one.is_valid());
+  EXPECT_GT(one.charts[0].distortion.area_p99 / one.charts[0].distortion.area_p1, default_density_ratio)
+      << "the safety net would have caught it";
+  EXPECT_FALSE(one.charts[0].is_within_bound);
+}
+
 TEST(GenerateAtlasOnSurface, ChartsAreFewAndLargeOnRequest)
 {
   const Surface surface = surface_of(torus(60, 40));
