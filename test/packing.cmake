@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 atlas_test(horizon_packer_test)
 atlas_test(raster_packer_test)
+atlas_test(Overlap_search_test)
 atlas_test(pack_charts_test)
 atlas_test(packing_property_test)
 if(TARGET repack_atlas)

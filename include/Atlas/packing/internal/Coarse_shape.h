@@ -23,9 +23,16 @@ struct Coarse_shape
     float x, y, radius;
     float weight; ///< of its depth
   };
+  /// A circle around consecutive discs.
+  struct Cluster
+  {
+    float x, y, radius;
+    std::size_t begin, end;
+  };
   static constexpr int directions = 256;
 
-  std::vector<Disc> discs;                  ///< largest first, then corners
+  std::vector<Disc> discs;                  ///< by clusters
+  std::vector<Cluster> clusters;            ///< that of the largest disc first
   std::array<double, directions> support{}; ///< extent of the shape in these directions
   double radius = 0;
 
@@ -36,7 +43,7 @@ struct Coarse_shape
     if (gx >= 0 && gy >= 0 && gx < right_limit_ && gy < top_limit_)
       return interpolated(gx, gy);
     const float cx = std::clamp(gx, 0.0f, right_limit_), cy = std::clamp(gy, 0.0f, top_limit_);
-    return interpolated(cx, cy) + std::hypot(gx - cx, gy - cy) / nodes_per_unit_;
+    return interpolated(cx, cy) + std::sqrt((gx - cx) * (gx - cx) + (gy - cy) * (gy - cy)) / nodes_per_unit_;
   }
 
   /// The extent in the direction of angle `turns`, a fraction of a full turn.
@@ -62,6 +69,7 @@ struct Coarse_shape
     build_grid(shape, detail, pad);
     add_discs(detail, most_discs);
     add_corners(shape, detail, most_discs);
+    make_clusters();
   }
 
 private:
@@ -157,6 +165,54 @@ private:
       if (!is_covered && discs.size() < first + most)
         add(p, 0, detail);
     }
+  }
+
+  static float square(float x) { return x * x; }
+
+  /// Brings discs that are near to each other together, about eight a cluster: each goes to the nearest of
+  /// some discs that are far from each other.
+  void make_clusters()
+  {
+    const std::size_t n = discs.size(), count = (n + 7) / 8;
+    std::vector<float> nearest(n, HUGE_VALF); // squared distance of the nearest centre so far
+    std::vector<std::size_t> cluster(n, 0);
+    std::size_t centre = 0;
+    for (std::size_t c = 0; c < count; ++c) {
+      for (std::size_t k = 0; k < n; ++k)
+        if (const float d = square(discs[k].x - discs[centre].x) + square(discs[k].y - discs[centre].y);
+            d < nearest[k]) {
+          nearest[k] = d;
+          cluster[k] = c;
+        }
+      centre = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+    }
+    std::vector<Disc> sorted;
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::size_t begin = sorted.size();
+      for (std::size_t k = 0; k < n; ++k)
+        if (cluster[k] == c)
+          sorted.push_back(discs[k]);
+      if (sorted.size() > begin)
+        clusters.push_back(circle_around(sorted, begin));
+    }
+    discs = std::move(sorted);
+  }
+
+  /// A circle around the discs from `begin` on.
+  static Cluster circle_around(const std::vector<Disc>& discs, std::size_t begin)
+  {
+    float left = HUGE_VALF, right = -HUGE_VALF, bottom = HUGE_VALF, top = -HUGE_VALF;
+    for (std::size_t k = begin; k < discs.size(); ++k) {
+      left = std::min(left, discs[k].x - discs[k].radius);
+      right = std::max(right, discs[k].x + discs[k].radius);
+      bottom = std::min(bottom, discs[k].y - discs[k].radius);
+      top = std::max(top, discs[k].y + discs[k].radius);
+    }
+    Cluster result{(left + right) / 2, (bottom + top) / 2, 0, begin, discs.size()};
+    for (std::size_t k = begin; k < discs.size(); ++k)
+      result.radius = std::max(result.radius, discs[k].radius + std::sqrt(square(discs[k].x - result.x) +
+                                                                          square(discs[k].y - result.y)));
+    return result;
   }
 
   float left_ = 0, bottom_ = 0, nodes_per_unit_ = 1, right_limit_ = 0, top_limit_ = 0;

@@ -148,10 +148,11 @@ public:
     while (work() < work_limit && !execution.is_cancelled()) {
       const double before = best_.scale;
       candidate_.scale = before * (1 + step_);
-      const bool is_free = overlap_.solve(candidate_, patience, overlap_.work() + (work_limit - work()));
+      const double left = overlap_.solve(candidate_, patience, overlap_.work() + (work_limit - work()));
       work_ += 1000;
-      settle(candidate_);
-      const bool is_worth_while = is_free || best_.scale > before * (1 + 0.5 * step_);
+      if (left <= most_overlap * step_ * problem_->width * problem_->height)
+        settle(candidate_);
+      const bool is_worth_while = !(left > 0) || best_.scale > before * (1 + 0.5 * step_);
       step_ = is_worth_while ? std::min(largest_step, 1.3 * step_) : std::max(least_step, 0.6 * step_);
       if (best_.scale > before)
         candidate_ = best_;
@@ -179,6 +180,7 @@ public:
 
 private:
   static constexpr int patience = 15; ///< sweeps without gain after which a search for places is given up
+  static constexpr double most_overlap = 0.3; ///< more, relative to page and step, cannot be pushed apart
   static constexpr double largest_step = 0.04, least_step = 0.008; ///< of the scale
 
   static double slack() { return 0.02; }

@@ -36,6 +36,9 @@ inline constexpr std::size_t max_shapes_of_exploration = 400;
 /// Up to that many shapes, taking out and putting back gains less than looking for other layouts.
 inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 
+/// A search whose scale is that much below the best one's has little hope to catch up.
+inline constexpr double most_lag = 0.012;
+
 /// The shapes of the outlines that are not empty, with resolutions that suit the page.
 inline Packing_problem packing_problem(const Outlines& outlines, const Page_options& page,
                                        const Layout& fallback, const Execution& execution)
@@ -110,13 +113,11 @@ inline Shape_layout search_layout(const Packing_problem& problem, const Search_b
       else
         searches[k].run(limit, execution);
     });
-    // Now and then the search that is worst goes on from where the best is.
-    if (r % 8 == 7) {
-      const auto worst = std::min_element(searches.begin(), searches.end(), [](const auto& a, const auto& b) {
-        return a.best().scale < b.best().scale;
-      });
-      worst->restart(best()->best());
-    }
+    // Searches that are far behind go on from where the best is.
+    const auto leader = best();
+    for (auto it = searches.begin(); it != searches.end(); ++it)
+      if (it->best().scale < (1 - most_lag) * leader->best().scale)
+        it->restart(leader->best());
   }
   const auto winner = best();
   if (winner->best().scale > most_scale && !winner->shrink(most_scale))
