@@ -297,6 +297,39 @@ TEST(ExactValidator, CutsAlongTheBorderOfTheOverlappedZone)
   EXPECT_LT(off, zone.size() * 2 / 3);
 }
 
+/// Parts of a strip of 20 cells, two triangles each, in which the given pairs of cells are said to overlap.
+std::vector<Index> parts_of_strip(const std::vector<std::pair<Index, Index>>& cells)
+{
+  const Chart chart = chart_of(test::grid(20, 1, [](double x, double y) { return Point_3(20 * x, y, 0); }));
+  const internal::Chart_graph graph(chart);
+  std::vector<std::pair<Index, Index>> pairs;
+  for (const auto& [a, b] : cells)
+    pairs.insert(pairs.end(), {{2 * a, 2 * b}, {2 * a + 1, 2 * b + 1}});
+  const std::vector<Index> parts =
+      internal::renumber(internal::cut_off(chart, graph, internal::Overlapped_zone(graph, pairs)));
+  std::vector<Index> of_cells;
+  for (Index t = 0; t < parts.size(); t += 2) {
+    EXPECT_EQ(parts[t], parts[t + 1]);
+    of_cells.push_back(parts[t]);
+  }
+  return of_cells;
+}
+
+TEST(ExactValidator, AsFewPiecesOfTheZoneComeOffAsWillDo)
+{
+  // Cells 2 and 3 are one piece of the zone, under cell 10 and cell 15. It comes off, and cells 0 and 1,
+  // which hang on it, go with it.
+  std::vector<Index> expected(20, 1);
+  std::fill_n(expected.begin(), 4, 0);
+  EXPECT_EQ(parts_of_strip({{2, 10}, {3, 15}}), expected);
+
+  // Cell 12 comes off; what it parts from the rest covers it, and is a part of its own.
+  expected.assign(20, 0);
+  expected[12] = 1;
+  std::fill(expected.begin() + 13, expected.end(), 2);
+  EXPECT_EQ(parts_of_strip({{12, 16}}), expected);
+}
+
 TEST(ExactValidator, GrowsTwoPartsFromTheExtremeTriangles)
 {
   // A deep bowl; the conformal map magnifies one end of it by far.

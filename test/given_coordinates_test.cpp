@@ -54,6 +54,15 @@ TEST(ConstrainHardEdges, TheEdgesOfACubeAndNoDiagonal)
   EXPECT_TRUE(hard_edges(s, 91).empty());
 }
 
+TEST(ConstrainHardEdges, ABentQuadStaysWhole)
+{
+  const Surface s = surface_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 2}, {0, 1, 0}}, {{0, 1, 2, 3}}});
+  ASSERT_EQ(s.number_of_triangles(), 2u);
+  EXPECT_TRUE(hard_edges(s, 1).empty());
+  const Surface torn = surface_of({s.points, {{0, 1, 2}, {0, 2, 3}}});
+  EXPECT_EQ(hard_edges(torn, 1).size(), 1u); // the same as two triangles
+}
+
 TEST(ConstrainHardEdges, TheAngleIsThatBetweenNormalsUpOrDown)
 {
   for (const double degrees : {1., 30., 89., 120., 179.})
