@@ -88,6 +88,19 @@ TEST(Distance_to_features, Diameter_of_closed_components)
   }
 }
 
+TEST(Distance_to_features, The_longer_of_two_ways_is_the_diameter)
+{
+  // The first sweeps start at an end of the second longest axis, and do not get far from there.
+  test::Soup soup = test::sphere(4);
+  for (Point_3& p : soup.points)
+    p = Point_3(2 * p.x(), p.y(), 2.2 * p.z());
+  const Surface surface = test::surface_of(soup);
+  ASSERT_EQ(surface.point(0), Point_3(2, 0, 0));
+  const std::vector<double> distance = distance_to_features(surface, no_features(surface));
+  const auto highest = std::max_element(distance.begin(), distance.end()) - distance.begin();
+  EXPECT_GT(std::abs(middle(surface, static_cast<Index>(highest)).z()), 1.5);
+}
+
 TEST(Distance_to_features, One_value_a_face)
 {
   const Surface surface = test::surface_of(test::capped_cylinder(true));
