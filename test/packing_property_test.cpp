@@ -97,7 +97,7 @@ TEST(Packing_property, of_rectangles_and_horizon)
 
 TEST(Packing_property, of_short_searches)
 {
-  expect_no_faults(10, [](unsigned seed) {
+  expect_no_faults(20, [](unsigned seed) {
     const Packing_case c = random_packing_case(seed);
     std::string faults;
     const Packing horizon = Horizon_packer().pack(c.charts, c.page, Execution(1));
@@ -113,7 +113,7 @@ TEST(Packing_property, of_short_searches)
 
 TEST(Packing_property, of_all_efforts)
 {
-  expect_no_faults(100, [](unsigned seed) {
+  expect_no_faults(200, [](unsigned seed) {
     const Packing_case c = random_packing_case(seed);
     std::string faults;
     const Packing fast = checked("fast", c, Raster_packer(Packing_effort::fast), faults);
