@@ -2,6 +2,7 @@
 // The whole pipeline, on both of CGAL's meshes.
 #include <Atlas/constrain_to_uv.h>
 #include <Atlas/generate_atlas.h>
+#include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/parameterization/Given_parameterizer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/verify_atlas.h>
@@ -14,6 +15,8 @@
 #include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
 
 #include "test_meshes.h"
+#include <array>
+#include <cmath>
 #include <map>
 
 namespace Atlas::test {
@@ -468,6 +471,34 @@ TEST(GenerateAtlasOnSurface, WrongParametersViolatePreconditions)
   EXPECT_THROW((void)generate_atlas(surface, uv, parameters::gutter(-1)), CGAL::Precondition_exception);
   EXPECT_THROW((void)generate_atlas(surface, uv, parameters::texture_size(0)), CGAL::Precondition_exception);
   CGAL::set_error_behaviour(before);
+}
+
+/// Faces of up to eight corners among points of a small grid, some of them bent off it. Found by fuzzing.
+TEST(GenerateAtlas, AFaceThatRoundingFoldsIsDrawnOnAGrid)
+{
+  const std::vector<std::array<int, 4>> grid{
+      {1, 3, 2, -1}, {3, 1, 2, -1}, {2, 3, 2, -1}, {2, 0, 1, -1}, {0, 1, 3, 4},  {1, 3, 3, -1}, {1, 3, 3, -1},
+      {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1},
+      {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1},
+      {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {1, 3, 3, -1}, {0, 3, 3, -1},
+      {2, 1, 1, -1}, {3, 2, 3, -1}, {3, 0, 1, -1}};
+  Soup soup;
+  for (const auto& [x, y, z, number] : grid) {
+    const double bend = number < 0 ? 0 : std::sin(double(number));
+    soup.points.emplace_back(0.1 * (x + bend), 0.1 * (y - bend), 0.1 * (z + bend * bend));
+  }
+  soup.polygons = {{12, 6, 23}, {11, 23, 7, 6},
+                   {3, 14, 14}, {17, 0, 29},
+                   {25, 22, 0}, {30, 31, 31},
+                   {},          {0, 0, 22},
+                   {30, 6, 16}, {2, 26, 20},
+                   {},          {5, 11, 23, 7, 6, 24, 3, 14},
+                   {23, 17, 0}, {22, 21, 5, 30, 31, 0},
+                   {6, 16}};
+  std::vector<Point_2> uv;
+  const Atlas_report report =
+      generate_atlas(surface_of(soup), uv, parameters::texture_size(32).gutter(1).packer(Horizon_packer()));
+  EXPECT_TRUE(report.is_valid()) << message(report.certificate);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <Atlas/internal/round_coordinates.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/parameterization/Schnyder_parameterizer.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/validation/certify.h>
 
@@ -441,18 +442,35 @@ private:
   bool split_on_page(const std::vector<Index>& refused)
   {
     std::vector<Index> changed;
+    bool is_any_drawn = false;
     timed(Stage::parameterization, [&] {
       for (const Index number : refused) {
         Flattened& f = accepted_[number];
         f.verdict.status =
             rounding_faults_[number].empty() ? Chart_status::overlapping : Chart_status::flipped;
         f.verdict.culprits = rounding_faults_[number];
-        (void)split(number, f, false, changed);
+        if (!split(number, f, false, changed))
+          is_any_drawn |= draw_on_grid(f);
       }
       if (!changed.empty())
         flatten(reopen(changed));
     });
-    return !changed.empty();
+    return !changed.empty() || is_any_drawn;
+  }
+
+  /// The last resort for a face that cannot be split: of all maps, Schnyder's drawing on a grid suffers least
+  /// from rounding. False if that has been tried.
+  bool draw_on_grid(Flattened& f) const
+  {
+    Chart drawn = f.chart;
+    if (Schnyder_parameterizer().parameterize(drawn, execution_) != Chart_status::valid)
+      return false;
+    give_area(drawn);
+    if (drawn.uv == f.chart.uv)
+      return false;
+    f.chart = std::move(drawn);
+    f.verdict = validator_.validate(f.chart, execution_);
+    return true;
   }
 
   void summarize()
