@@ -208,7 +208,7 @@ TEST(Piece_rejoiner, takes_back_what_is_not_accepted)
   };
   const auto never = [](const Numbered&, const Numbered&, const Numbered&) { return false; };
   const std::size_t joined =
-      internal::Piece_rejoiner(surface, segmentation, charts, flatten, never, Execution(1)).run({0, 3});
+      internal::Piece_rejoiner(surface, segmentation, charts, flatten, never, 5, Execution(1)).run({0, 3});
   EXPECT_EQ(joined, 0u);
   EXPECT_GE(attempts, 4u) << "each piece has two neighbours";
   EXPECT_TRUE(equal(segmentation, before));
@@ -236,7 +236,7 @@ TEST(Piece_rejoiner, flattens_a_bounded_number_of_triangles)
     return Numbered{std::move(chart)};
   };
   const auto never = [](const Numbered&, const Numbered&, const Numbered&) { return false; };
-  internal::Piece_rejoiner(surface, segmentation, charts, flatten, never, Execution(1)).run(pieces);
+  internal::Piece_rejoiner(surface, segmentation, charts, flatten, never, 5, Execution(1)).run(pieces);
   EXPECT_GT(triangles, surface.number_of_triangles());
   EXPECT_LE(triangles, 5 * surface.number_of_triangles());
 }

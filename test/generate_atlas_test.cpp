@@ -267,6 +267,23 @@ TEST(GenerateAtlasOnSurface, ModesTradeSeamsForDistortionAndTellTheirBound)
     EXPECT_TRUE(chart.flattening.is_optimized);
 }
 
+TEST(GenerateAtlasOnSurface, ChartsDoNotDependOnTheScaleOfTheModel)
+{
+  // Symmetric shapes, where much is equal but for rounding.
+  for (const Soup& soup : {sphere(4), torus(60, 40), cube()}) {
+    std::vector<Point_2> uv;
+    const Atlas_report one = generate_atlas(surface_of(soup), uv);
+    for (const double factor : {1e-6, 1e-3, 1 / 3.0, 3.0, 1e3, 1e6}) {
+      Soup scaled = soup;
+      for (Point_3& p : scaled.points)
+        p = Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+      const Atlas_report other = generate_atlas(surface_of(scaled), uv);
+      EXPECT_EQ(one.face_chart, other.face_chart) << factor;
+      EXPECT_NEAR(other.seam_length / factor, one.seam_length, 1e-9 * one.seam_length) << factor;
+    }
+  }
+}
+
 TEST(GenerateAtlasOnSurface, OneChartOfASphereIsNotSplitForItsDistortion)
 {
   const Surface surface = surface_of(sphere(4));
@@ -286,7 +303,7 @@ TEST(GenerateAtlasOnSurface, ChartsAreFewAndLargeOnRequest)
   const Surface surface = surface_of(torus(60, 40));
   std::vector<Point_2> uv;
   const std::size_t usual = generate_atlas(surface, uv).charts.size();
-  ASSERT_GT(usual, 2u);
+  ASSERT_GT(usual, 1u);
   Merge_options tight;
   tight.max_distortion = 1.01;
   const Atlas_report many = generate_atlas(surface, uv, parameters::merge_options(tight));

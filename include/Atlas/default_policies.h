@@ -15,7 +15,7 @@ namespace Atlas {
 
 /// \brief What matters most in an atlas.
 enum class Atlas_mode {
-  standard,  ///< few charts, short seams, low distortion: mean symmetric Dirichlet energy of at most 1.037
+  standard,  ///< few charts, short seams, low distortion: mean symmetric Dirichlet energy of at most 1.035
   few_seams, ///< fewer and larger charts, shorter seams; a bound of 1.05
   conformal  ///< the paper: least squares conformal maps as they are, densities in a chart within a factor of
              ///< 2

@@ -47,6 +47,11 @@ public:
   static constexpr int first_halving_round = 8;
   /// Rounds of packing, rounding and verification before the faults that remain are reported.
   static constexpr int maximal_page_rounds = 6;
+  /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
+  static constexpr double share_for_joined_charts = 0.6;
+  /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
+  /// pieces.
+  static constexpr std::size_t work_of_joining = 5;
   /// Cells across a chart to which its coordinates are snapped.
   static constexpr double fineness = 4294967296.0;
 
@@ -121,6 +126,7 @@ private:
     };
     for (Point_3& p : surface_.points)
       p = Point_3(coordinate(p, 0), coordinate(p, 1), coordinate(p, 2));
+    largest_side_ = std::ldexp(2 * extent, -exponent);
   }
 
   void describe_input()
@@ -160,11 +166,31 @@ private:
     return numbers;
   }
 
+  /// On rounded positions, so that models that are equal but for their scale have the same charts.
   void segment()
   {
+    std::vector<Point_3> positions = rounded_positions();
+    std::swap(surface_.points, positions);
     segmentation_ = segmentation_policy_.segment(surface_, execution_);
     if (!execution_.is_cancelled())
       cut_to_discs(surface_, segmentation_, execution_);
+    std::swap(surface_.points, positions);
+  }
+
+  /// In units of the largest side of the bounding box, on a grid that is finer than what matters to charts,
+  /// but far coarser than the last digits, which change when a model is scaled. Segmentation compares many
+  /// things that are equal but for these, on symmetric models above all.
+  std::vector<Point_3> rounded_positions() const
+  {
+    constexpr double cells = 1 << 30;
+    if (!(largest_side_ > 0) || !std::isfinite(largest_side_))
+      return surface_.points;
+    std::vector<Point_3> result;
+    result.reserve(surface_.points.size());
+    const auto round = [&](double x) { return std::round(x / largest_side_ * cells) / cells; };
+    for (const Point_3& p : surface_.points)
+      result.emplace_back(round(p.x()), round(p.y()), round(p.z()));
+    return result;
   }
 
   /// Flattens the charts of the given numbers, splitting what is refused, until every chart is accepted.
@@ -257,34 +283,28 @@ private:
         pieces.push_back(c);
     if (pieces.empty() || execution_.is_cancelled())
       return;
-    const auto distortion = [&](const Flattened& f) {
-      return value(measure_distortion(f.chart), report_.bound.measure);
-    };
     const auto accept = [&](const Flattened& joined, const Flattened& a, const Flattened& b) {
-      return joined.verdict.is_valid() &&
-             distortion(joined) <= std::max({report_.bound.max, distortion(a), distortion(b)});
+      return joined.verdict.is_valid() && is_no_worse(joined.chart, a.chart, b.chart);
     };
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
     report_.rejoined_pieces =
-        Piece_rejoiner(surface_, segmentation_, accepted_, flatten, accept, execution_).run(pieces);
-    close_gaps_in_numbers();
+        Piece_rejoiner(surface_, segmentation_, accepted_, flatten, accept, work_of_joining, execution_)
+            .run(pieces);
+    close_gaps(segmentation_, accepted_);
   }
 
-  void close_gaps_in_numbers()
+  /// Whether a chart has no more distortion than the two it came from have on average, or keeps well within
+  /// the bound.
+  bool is_no_worse(const Chart& joined, const Chart& a, const Chart& b) const
   {
-    std::vector<Index> number(accepted_.size(), no_index);
-    Index charts = 0;
-    for (Index c = 0; c < accepted_.size(); ++c)
-      if (!accepted_[c].chart.source.empty()) {
-        number[c] = charts;
-        if (c != charts)
-          accepted_[charts] = std::move(accepted_[c]);
-        ++charts;
-      }
-    accepted_.resize(charts);
-    segmentation_.number_of_charts = charts;
-    for (Index& c : segmentation_.chart)
-      c = number[c];
+    const auto distortion = [&](const Chart& chart) {
+      return value(measure_distortion(chart), report_.bound.measure);
+    };
+    const double area_a = area_3d(a), area_b = area_3d(b);
+    const double mean = (area_a * distortion(a) + area_b * distortion(b)) / (area_a + area_b);
+    // Means hide what is bad near the piece.
+    const double share = is_mean(report_.bound.measure) ? share_for_joined_charts : 1;
+    return distortion(joined) <= std::max(mean, 1 + share * (report_.bound.max - 1));
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
@@ -507,7 +527,8 @@ private:
   }
 
   Surface surface_;
-  double unit_ = 1; ///< the model's unit over the unit used here
+  double unit_ = 1;         ///< the model's unit over the unit used here
+  double largest_side_ = 0; ///< of the bounding box, in the unit used here
   const Segmentation_policy& segmentation_policy_;
   const Parameterizer& parameterizer_;
   const Optimizer& optimizer_;

@@ -5,9 +5,9 @@
 #include <Atlas/Chart.h>
 #include <Atlas/Surface.h>
 #include <Atlas/internal/connectivity.h>
-#include <Atlas/measure/area.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -114,7 +114,8 @@ private:
         if (k == 0 || !goes_on(loop[(start + k - 1) % n], h))
           result.push_back({other, 0, {}});
         result.back().halfedges.push_back(h);
-        result.back().length += edge_length(surface_, h);
+        result.back().length +=
+            std::sqrt(CGAL::squared_distance(surface_.point(h), surface_.point(next_halfedge(h))));
       }
     }
     return result;

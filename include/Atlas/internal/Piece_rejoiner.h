@@ -17,6 +17,26 @@
 
 namespace Atlas::internal {
 
+/// Takes charts without triangles out of the numbering. `charts` are those of the segmentation, each with a
+/// `Chart chart`.
+template <typename Flattened>
+void close_gaps(Segmentation& segmentation, std::vector<Flattened>& charts)
+{
+  std::vector<Index> number(charts.size(), no_index);
+  Index kept = 0;
+  for (Index c = 0; c < charts.size(); ++c)
+    if (!charts[c].chart.source.empty()) {
+      number[c] = kept;
+      if (c != kept)
+        charts[kept] = std::move(charts[c]);
+      ++kept;
+    }
+  charts.resize(kept);
+  segmentation.number_of_charts = kept;
+  for (Index& c : segmentation.chart)
+    c = number[c];
+}
+
 /// \brief Gives pieces of refused charts to other charts that are accepted with them.
 ///
 /// A chart that is split where one corner of it is too much for the bound leaves pieces that often fit
@@ -30,8 +50,9 @@ template <typename Flattened, typename Flatten, typename Accept>
 class Piece_rejoiner
 {
 public:
+  /// \param work  how many times as many triangles as the surface has may be flattened in vain
   Piece_rejoiner(const Surface& surface, Segmentation& segmentation, std::vector<Flattened>& charts,
-                 const Flatten& flatten, const Accept& accept, const Execution& execution)
+                 const Flatten& flatten, const Accept& accept, std::size_t work, const Execution& execution)
       : surface_(surface), segmentation_(segmentation), charts_(charts), flatten_(flatten), accept_(accept),
         execution_(execution), gluing_(surface, segmentation), local_(surface.number_of_triangles()),
         budget_(work * surface.number_of_triangles())
@@ -40,8 +61,10 @@ public:
   /// Returns how many pieces found another chart. Charts that are gone keep their numbers, without triangles.
   std::size_t run(const std::vector<Index>& pieces)
   {
-    std::size_t joined = 0;
-    for (int pass = 0; pass < passes; ++pass) { // a neighbour that has grown may take what it refused
+    std::size_t joined = 0, before = no_index;
+    // A neighbour that has grown may take what it refused.
+    for (int pass = 0; pass < passes && joined != before; ++pass) {
+      before = joined;
       std::vector<Piece> open;
       for (const Index c : pieces)
         if (size(c) > 0)
@@ -56,8 +79,6 @@ public:
 
 private:
   static constexpr int passes = 2;
-  /// How many times as many triangles as the surface has may be flattened in vain.
-  static constexpr std::size_t work = 5;
   /// How many neighbours a piece tries.
   static constexpr std::size_t tries = 4;
   /// Pairs that are tried at a time, among so many pieces. Part of the result: not a number of threads.

@@ -38,6 +38,13 @@ inline const char* name(Distortion_measure measure)
   return "unknown";
 }
 
+/// Whether the figure is an average over the chart, not one of its extremes.
+inline bool is_mean(Distortion_measure measure)
+{
+  return measure == Distortion_measure::symmetric_dirichlet || measure == Distortion_measure::l2_stretch ||
+         measure == Distortion_measure::quasi_conformal;
+}
+
 /// A bound on the distortion of every chart: what is bounded, and by how much.
 struct Distortion_bound
 {

@@ -14,7 +14,7 @@ struct Merge_options
   /// What is bounded.
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   /// The bound of each chart that comes from merging, as flattened on the coarse surface.
-  double max_distortion = 1.037;
+  double max_distortion = 1.035;
   /// The share of what the bound allows beyond 1 that trials on the coarse surface may use: less than 1
   /// leaves a margin for what shows at full resolution only.
   double share_for_trials = 1;
@@ -31,15 +31,15 @@ struct Merge_options
   /// distance after rigid alignment over the square root of the area.
   double max_misfit = 0.2;
   /// About how many triangles each chart has on the coarse surface on which charts are flattened for trial.
-  double triangles_per_chart = 60;
+  double triangles_per_chart = 70;
   /// Charts whose union has more triangles on the coarse surface do not merge: this bounds the cost of a
   /// trial.
   std::size_t max_trial_triangles = 5000;
   /// Pairs of charts that are tried at a time, and maybe in parallel. Part of the result: not a number of
   /// threads.
   std::size_t batch = 8;
-  /// Merging is done in so many orders, 1 to 5, and the shortest seams are taken.
-  std::size_t orders = 5;
+  /// Merging is done in so many orders, 1 to 6, and the shortest seams are taken.
+  std::size_t orders = 6;
   /// Merging goes on past the bound until there are at most so many charts, as far as discs, patches and
   /// seams allow; 0: no such wish.
   std::size_t max_charts = 0;
@@ -74,7 +74,7 @@ inline Merge_options conformal_options()
   Merge_options options;
   options.measure = Distortion_measure::area_ratio_quantiles;
   options.max_distortion = 2; // the paper's
-  options.share_for_trials = 0.6;
+  options.share_for_trials = 0.65;
   options.triangles_per_chart = 240;
   options.max_trial_triangles = 20000;
   return options;

@@ -5,6 +5,8 @@
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
 #include <Atlas/concepts.h>
+#include <Atlas/extract_charts.h>
+#include <Atlas/internal/Piece_rejoiner.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/cut_to_discs.h>
@@ -17,6 +19,7 @@
 #include <array>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace Atlas {
 
@@ -60,6 +63,8 @@ public:
       merge_charts(surface, segmentation, options_, parameterizer_, optimizer_, execution);
     if (options_.are_borders_smoothed && !execution.is_cancelled())
       smooth_within_bound(surface, segmentation, execution);
+    if (!execution.is_cancelled())
+      merge_on_finer_copies(surface, segmentation, execution);
     return segmentation;
   }
 
@@ -87,6 +92,34 @@ private:
           return is_kept(a, area) && is_kept(b, area);
         });
     around.write_back(segmentation);
+  }
+
+  struct Tried_chart
+  {
+    Chart chart;
+    bool is_kept = false;
+  };
+
+  /// What was refused on the coarse surface, once more on finer copies: charts of few triangles may look
+  /// bent there though they are not.
+  void merge_on_finer_copies(const Surface& surface, Segmentation& segmentation,
+                             const Execution& execution) const
+  {
+    const double area = area_3d(surface);
+    std::vector<Tried_chart> charts;
+    for (Chart& chart : extract_charts(surface, segmentation))
+      charts.push_back({std::move(chart)});
+    std::vector<Index> all(charts.size());
+    std::iota(all.begin(), all.end(), Index(0));
+    const auto flatten = [&](Chart chart) {
+      const bool kept = is_kept(chart, area);
+      return Tried_chart{std::move(chart), kept};
+    };
+    const auto accept = [](const Tried_chart& joined, const Tried_chart&, const Tried_chart&) {
+      return joined.is_kept;
+    };
+    internal::Piece_rejoiner(surface, segmentation, charts, flatten, accept, 1, execution).run(all);
+    internal::close_gaps(segmentation, charts);
   }
 
   bool is_kept(const Chart& chart, double whole_area) const

@@ -44,9 +44,12 @@ inline std::vector<double> arc_weights(const Surface& surface, const Chart_arcs&
 template <typename Merger>
 Merger best_merger(const Merger& unmerged, const Merge_options& options, const Execution& execution)
 {
-  constexpr std::array orders{Merge_order::by_smaller_perimeter, Merge_order::by_mean_perimeter,
-                              Merge_order::by_smaller_area, Merge_order::by_length,
-                              Merge_order::by_larger_perimeter};
+  constexpr std::array orders{Merge_order::by_union,
+                              Merge_order::by_mean_perimeter,
+                              Merge_order::by_perimeter_in_union,
+                              Merge_order::by_larger_perimeter,
+                              Merge_order::by_length,
+                              Merge_order::by_smaller_area};
   std::vector<Merger> mergers(std::clamp<std::size_t>(options.orders, 1, orders.size()), unmerged);
   execution.for_each(mergers.size(), [&](std::size_t i) { mergers[i].run(orders[i]); });
   const auto score = [&](const Merger& m) {

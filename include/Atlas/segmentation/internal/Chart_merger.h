@@ -24,11 +24,12 @@ namespace Atlas::internal {
 
 /// Which merges go first: those along borders that are long beside ...
 enum class Merge_order {
-  by_smaller_perimeter, ///< ... the perimeter of the smaller chart, which keeps charts alike in size
-  by_mean_perimeter,    ///< ... the geometric mean of both perimeters
-  by_smaller_area,      ///< ... the root of the smaller area
-  by_length,            ///< ... nothing
-  by_larger_perimeter   ///< ... the perimeter of the larger chart, which makes round charts
+  by_union,              ///< ... the root of the area of the union
+  by_mean_perimeter,     ///< ... the geometric mean of both perimeters
+  by_perimeter_in_union, ///< ... the perimeter of the smaller chart, small unions still earlier
+  by_larger_perimeter,   ///< ... the perimeter of the larger chart, which makes round charts
+  by_length,             ///< ... nothing
+  by_smaller_area        ///< ... the root of the smaller area
 };
 
 /// \brief Merges the charts of a coarse surface along runs of arcs.
@@ -361,16 +362,18 @@ private:
   double yardstick_of(const Part& a, const Part& b) const
   {
     switch (order_) {
-    case Merge_order::by_smaller_perimeter:
-      return std::min(a.perimeter, b.perimeter);
+    case Merge_order::by_union:
+      return std::sqrt(a.area + b.area);
     case Merge_order::by_mean_perimeter:
       return std::sqrt(a.perimeter * b.perimeter);
-    case Merge_order::by_smaller_area:
-      return std::sqrt(std::min(a.area, b.area));
-    case Merge_order::by_length:
-      return 1;
+    case Merge_order::by_perimeter_in_union:
+      return std::min(a.perimeter, b.perimeter) * std::sqrt(std::sqrt(a.area + b.area));
     case Merge_order::by_larger_perimeter:
       return std::max(a.perimeter, b.perimeter);
+    case Merge_order::by_length:
+      return 1;
+    case Merge_order::by_smaller_area:
+      return std::sqrt(std::min(a.area, b.area));
     }
     return 0;
   }
@@ -632,7 +635,7 @@ private:
   double whole_area_ = 0;
   Index remaining_side_ = no_index;
   std::size_t number_of_charts_ = 0;
-  Merge_order order_ = Merge_order::by_smaller_perimeter;
+  Merge_order order_ = Merge_order::by_union;
   double past_bound_ = 1; ///< how many times the distortion beyond 1 may exceed that of the bound
 };
 

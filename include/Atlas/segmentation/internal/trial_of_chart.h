@@ -41,9 +41,11 @@ inline bool is_within_bound(const Chart& layout, const Merge_options& options, d
   return true;
 }
 
-/// The chart with about `triangles` triangles. The chart has to be a disc.
+/// The chart with about `triangles` triangles, or as it is if it has hardly more. The chart has to be a disc.
 inline Chart coarse_chart(const Chart& chart, double triangles)
 {
+  if (static_cast<double>(chart.number_of_triangles()) <= 2 * triangles)
+    return chart;
   Surface surface;
   surface.points = chart.points;
   surface.triangles = chart.triangles;
