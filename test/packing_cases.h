@@ -25,7 +25,10 @@ public:
   std::mt19937& generator() { return random_; }
   Index below(Index n) { return static_cast<Index>(random_() % n); }
   bool one_in(Index n) { return below(n) == 0; }
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(random_()) * 0x1p-32); }
+  double between(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(random_()) * 0x1p-32);
+  }
   template <typename T>
   T one_of(std::initializer_list<T> values)
   {

@@ -30,9 +30,8 @@ inline double solidity(const Chart& layout)
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
   const Atlas::Distortion distortion = measure_distortion(layout);
-  if (std::isfinite(factor) &&
-      !(value(distortion, options.measure) <=
-        1 + factor * options.share_for_trials * (options.max_distortion - 1)))
+  if (std::isfinite(factor) && !(value(distortion, options.measure) <=
+                                 1 + factor * options.share_for_trials * (options.max_distortion - 1)))
     return false;
   for (const auto& [u, v, w] : layout.triangles)
     if (CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&
