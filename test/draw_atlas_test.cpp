@@ -129,8 +129,9 @@ TEST(Draw_atlas, has_the_shape_of_the_page)
   for (std::size_t y = 0; y < 10; ++y) // each pixel shows three of the square, where they are not on a border
     for (std::size_t x = 0; x < 30; ++x)
       if (square.at(x, 3 * y) == square.at(x, 3 * y + 1) && square.at(x, 3 * y) == square.at(x, 3 * y + 2) &&
-          square.at(x, 3 * y) == square.at(0, 0))
+          square.at(x, 3 * y) == square.at(0, 0)) {
         EXPECT_EQ(image.at(x, y), square.at(x, 3 * y));
+      }
   const Image_size thin = Image_size(4096, 1).with_longer_side(64),
                    tall = Image_size(3, 9).with_longer_side(30);
   EXPECT_EQ(thin.height, 1u);
