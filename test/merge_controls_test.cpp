@@ -113,12 +113,12 @@ TEST(MergeControls, SeamsKeepOffExpensivePlaces)
 {
   Surface s = surface_of(sphere(4));
   const auto in_front = [&](Index h) { return s.point(h).x() + s.point(next_halfedge(h)).x() > 0; };
-  const double usual = length_of_seams(s, merged(s, quick()), in_front);
+  const double usual = length_of_seams(s, merged(s, Merge_options()), in_front);
   s.seam_cost.assign(s.opposite.size(), 1);
   for (Index h = 0; h < s.seam_cost.size(); ++h)
     if (in_front(h))
       s.seam_cost[h] = 10;
-  const Segmentation g = merged(s, quick());
+  const Segmentation g = merged(s, Merge_options());
   expect_discs(s, g);
   EXPECT_LT(length_of_seams(s, g, in_front), 0.9 * usual);
 }
@@ -223,11 +223,11 @@ TEST(MergeControls, NoChartBelowTheLeastArea)
       least = std::min(least, area_3d(chart) / area_3d(s));
     return least;
   };
-  ASSERT_LT(smallest(merged(s, options)), 0.05);
-  options.min_chart_area = 0.1;
+  ASSERT_LT(smallest(merged(s, options)), 0.2);
+  options.min_chart_area = 0.25;
   const Segmentation g = merged(s, options);
   expect_discs(s, g);
-  EXPECT_GT(smallest(g), 0.09); // areas are those of the coarse surface
+  EXPECT_GT(smallest(g), 0.23); // areas are those of the coarse surface
   EXPECT_GT(g.number_of_charts, 1u);
 }
 
@@ -253,7 +253,7 @@ TEST(MergeControls, FewSeamsAreFewer)
   expect_discs(s, g);
   EXPECT_LT(length_of_seams(s, g), length_of_seams(s, usual));
   EXPECT_LE(g.number_of_charts, usual.number_of_charts);
-  EXPECT_EQ(share_within(s, g, few.measure, few.max_distortion + 0.015, Finish::low_distortion), 1);
+  EXPECT_NEAR(share_within(s, g, few.measure, few.max_distortion + 0.015, Finish::low_distortion), 1, 1e-12);
 }
 
 TEST(MergeControls, ConformalChartsKeepTheirDensities)

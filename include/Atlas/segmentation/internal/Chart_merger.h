@@ -436,12 +436,15 @@ private:
     if (options_.max_charts == 0 && !(options_.min_chart_area > 0))
       return;
     constexpr double step = 4, enough = 1e9;
-    for (past_bound_ = step; past_bound_ < enough && execution_.proceed(0.8); past_bound_ *= step) {
+    const auto has_wish = [&] { return has_too_many_charts() || options_.min_chart_area > 0; };
+    for (past_bound_ = step; has_wish() && past_bound_ < enough && execution_.proceed(0.8);
+         past_bound_ *= step) {
       sweep();
       zip();
     }
     past_bound_ = std::numeric_limits<double>::infinity();
-    sweep();
+    if (has_wish())
+      sweep();
     past_bound_ = 1;
   }
 
