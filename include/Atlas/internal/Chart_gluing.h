@@ -4,6 +4,7 @@
 
 #include <Atlas/Chart.h>
 #include <Atlas/Surface.h>
+#include <Atlas/internal/barriers.h>
 #include <Atlas/internal/connectivity.h>
 
 #include <algorithm>
@@ -125,12 +126,9 @@ private:
   Index other_of(Index h) const
   {
     const Index o = surface_.opposite[h];
-    if (o == no_index || segmentation_.chart[o / 3] == segmentation_.chart[h / 3])
+    if (is_barrier(surface_, h) || segmentation_.chart[o / 3] == segmentation_.chart[h / 3])
       return no_index;
-    const bool is_barrier =
-        (!surface_.constraint.empty() && surface_.constraint[h] == Edge_constraint::seam) ||
-        (!surface_.patch.empty() && surface_.patch[h / 3] != surface_.patch[o / 3]);
-    return is_barrier ? no_index : segmentation_.chart[o / 3];
+    return segmentation_.chart[o / 3];
   }
 
   /// Whether two consecutive border halfedges face the same chart, and follow each other on its border.
@@ -139,11 +137,8 @@ private:
     const Index other = other_of(next);
     if (other == no_index || other_of(h) != other)
       return false;
-    const Index end = surface_.opposite[h];
-    Index g = next_halfedge(surface_.opposite[next]);
-    while (g != end && segmentation_.is_glued(surface_, g))
-      g = next_halfedge(surface_.opposite[g]);
-    return g == end;
+    const auto is_seam = [&](Index g) { return !segmentation_.is_glued(surface_, g); };
+    return next_on_border(surface_.opposite, surface_.opposite[next], is_seam) == surface_.opposite[h];
   }
 
   const Surface& surface_;

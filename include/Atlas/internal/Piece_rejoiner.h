@@ -119,10 +119,11 @@ private:
     std::vector<std::uint8_t> is_done(std::min(open.size(), window), 0);
     for (std::size_t i = 0; i < is_done.size() && trials.size() < batch; ++i) {
       Piece& piece = open[i];
+      if (is_busy(piece.chart))
+        continue;
       const Index other = next_neighbour(piece);
-      if (other == no_index)
-        is_done[i] = !is_busy(piece.chart); // who is busy may end up in another chart
-      if (other == no_index || is_busy(piece.chart) || is_busy(other))
+      is_done[i] = other == no_index;
+      if (is_done[i] || is_busy(other))
         continue;
       piece.tried.push_back(other);
       const std::size_t triangles = size(piece.chart) + size(other);

@@ -53,6 +53,17 @@ inline std::vector<Index> opposite_halfedges(const std::vector<std::array<Index,
   return opposite;
 }
 
+/// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned
+/// across.
+template <typename IsSeam>
+Index next_on_border(const std::vector<Index>& opposite, Index h, IsSeam is_seam)
+{
+  Index g = next_halfedge(h);
+  while (!is_seam(g))
+    g = next_halfedge(opposite[g]);
+  return g;
+}
+
 /// The border halfedges of an indexed mesh as closed loops, each in the direction of its triangles (the
 /// surface on the left). A vertex that the border passes twice is left along the same fan of triangles.
 inline std::vector<std::vector<Index>> border_loops(const std::vector<Index>& opposite)

@@ -109,6 +109,8 @@ private:
     std::vector<Tried_chart> charts;
     for (Chart& chart : extract_charts(surface, segmentation))
       charts.push_back({std::move(chart)});
+    if (charts.size() < 2)
+      return;
     std::vector<Index> all(charts.size());
     std::iota(all.begin(), all.end(), Index(0));
     const auto flatten = [&](Chart chart) {

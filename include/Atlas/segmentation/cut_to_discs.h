@@ -4,6 +4,7 @@
 
 #include <Atlas/Execution.h>
 #include <Atlas/Surface.h>
+#include <Atlas/internal/barriers.h>
 #include <Atlas/segmentation/internal/Disc_cutter.h>
 #include <Atlas/segmentation/internal/Piece.h>
 
@@ -85,9 +86,7 @@ private:
         if (o == no_index)
           continue;
         const bool is_wanted =
-            segmentation_.cut[h] || segmentation_.cut[o] || o / 3 == t ||
-            (!surface_.constraint.empty() && surface_.constraint[h] == Edge_constraint::seam) ||
-            (!surface_.patch.empty() && surface_.patch[t] != surface_.patch[o / 3]);
+            segmentation_.cut[h] || segmentation_.cut[o] || o / 3 == t || is_barrier(surface_, h);
         segmentation_.cut[h] = segmentation_.cut[o] = is_wanted && !surface_.is_diagonal(h);
       }
   }

@@ -3,7 +3,8 @@
 #define ATLAS_SEGMENTATION_INTERNAL_CHART_ARCS_H
 
 #include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Element_graph.h>
+#include <Atlas/internal/barriers.h>
+#include <Atlas/internal/connectivity.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -51,17 +52,6 @@ inline Index manifold_vertices(const Surface& surface, std::vector<Index>& verte
     ++count;
   }
   return count;
-}
-
-/// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned
-/// across.
-template <typename IsSeam>
-Index next_on_border(const std::vector<Index>& opposite, Index h, IsSeam is_seam)
-{
-  Index g = next_halfedge(h);
-  while (!is_seam(g))
-    g = next_halfedge(opposite[g]);
-  return g;
 }
 
 /// Finds the arcs. O(n).

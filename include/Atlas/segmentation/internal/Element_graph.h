@@ -3,6 +3,7 @@
 #define ATLAS_SEGMENTATION_INTERNAL_ELEMENT_GRAPH_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/barriers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,18 +36,6 @@ struct Element_graph
   std::size_t size() const { return area.size(); }
   Vector_3 centroid(Index e) const { return area[e] > 0 ? moment[e] / area[e] : moment[e]; }
 };
-
-/// Whether the halfedge lies on an edge that charts must not cross.
-inline bool is_barrier(const Surface& surface, Index h)
-{
-  const Index o = surface.opposite[h];
-  if (o == no_index)
-    return true;
-  if (!surface.patch.empty() && surface.patch[h / 3] != surface.patch[o / 3])
-    return true;
-  return !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::seam &&
-         !surface.is_diagonal(h);
-}
 
 /// Whether the triangles on both sides of the halfedge have to be in one chart.
 inline bool is_bond(const Surface& surface, Index h)

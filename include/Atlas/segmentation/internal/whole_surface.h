@@ -3,6 +3,7 @@
 #define ATLAS_SEGMENTATION_INTERNAL_WHOLE_SURFACE_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/barriers.h>
 #include <Atlas/segmentation/internal/Piece.h>
 #include <Atlas/segmentation/internal/triangle_geometry.h>
 
@@ -16,13 +17,7 @@ namespace Atlas::internal {
 /// Whether a chart may go on across the halfedge: not over borders, patch borders and wanted seams.
 inline bool may_cross(const Surface& surface, Index h)
 {
-  const Index o = surface.opposite[h];
-  if (o == no_index || o / 3 == h / 3)
-    return false;
-  if (surface.is_diagonal(h))
-    return true;
-  return (surface.patch.empty() || surface.patch[h / 3] == surface.patch[o / 3]) &&
-         (surface.constraint.empty() || surface.constraint[h] != Edge_constraint::seam);
+  return !is_barrier(surface, h) && surface.opposite[h] / 3 != h / 3;
 }
 
 /// Whether the user wants no seam at the halfedge, or there can be none.
