@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_INTERNAL_NORMALIZE_H
+#define ATLAS_INTERNAL_NORMALIZE_H
+
+#include <Atlas/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// What `normalize()` found.
+struct Normalization
+{
+  double unit = 1;         ///< the model's unit over the unit used now
+  double largest_side = 0; ///< of the bounding box, in the unit used now
+};
+
+/// Moves the model to the origin and scales it by a power of two to about unit size, so that no product of
+/// coordinates overflows or loses digits that the input has.
+inline Normalization normalize(Surface& surface)
+{
+  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  for (const auto& triangle : surface.triangles)
+    for (const Index v : triangle)
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], surface.points[v][i]);
+        high[i] = std::max(high[i], surface.points[v][i]);
+      }
+  double extent = 0;
+  for (int i = 0; i < 3; ++i)
+    extent = std::max(extent, high[i] / 2 - low[i] / 2);
+  if (!(extent > 0) || !std::isfinite(extent))
+    return {};
+  const int exponent = std::ilogb(extent);
+  const auto coordinate = [&](const Point_3& p, int i) {
+    return std::ldexp(p[i], -exponent) - std::ldexp(low[i] / 2 + high[i] / 2, -exponent);
+  };
+  for (Point_3& p : surface.points)
+    p = Point_3(coordinate(p, 0), coordinate(p, 1), coordinate(p, 2));
+  return {std::ldexp(1.0, exponent), std::ldexp(2 * extent, -exponent)};
+}
+
+/// The positions in units of `largest_side`, on a grid that is finer than what matters to charts, but far
+/// coarser than the last digits, which change when a model is scaled. Segmentation compares many things that
+/// are equal but for these, on symmetric models above all.
+inline std::vector<Point_3> positions_on_grid(const Surface& surface, double largest_side)
+{
+  constexpr double cells = 1 << 30;
+  if (!(largest_side > 0) || !std::isfinite(largest_side))
+    return surface.points;
+  std::vector<Point_3> result;
+  result.reserve(surface.points.size());
+  const auto round = [&](double x) { return std::round(x / largest_side * cells) / cells; };
+  for (const Point_3& p : surface.points)
+    result.emplace_back(round(p.x()), round(p.y()), round(p.z()));
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif
