@@ -91,8 +91,10 @@ inline Soup noisy_cube(Index n, double noise)
   std::uniform_real_distribution<double> move(-noise, noise);
   for (Point_3& p : soup.points) {
     const auto [it, is_new] = moves.try_emplace(p);
-    if (is_new)
-      it->second = Vector_3(move(random), move(random), move(random));
+    if (is_new) {
+      const double z = move(random), y = move(random), x = move(random); // one order with every compiler
+      it->second = Vector_3(x, y, z);
+    }
     p = p + it->second;
   }
   return soup;
