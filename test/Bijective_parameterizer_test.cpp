@@ -7,6 +7,8 @@
 
 #include "test_meshes.h"
 
+#include <set>
+
 namespace {
 
 using namespace Atlas;
@@ -226,6 +228,30 @@ TEST(Symmetric_dirichlet_optimizer, needs_few_iterations_at_full_size)
     Chart best = chart;
     ASSERT_EQ(Symmetric_dirichlet_optimizer(options).optimize(best, Execution()), Chart_status::valid);
     EXPECT_LE(mean_energy(chart), 1.002 * mean_energy(best));
+  }
+}
+
+TEST(Symmetric_dirichlet_optimizer, asks_at_every_step_whether_to_go_on)
+{
+  const Chart start = height_field(12, 0.8, 3);
+  for (const int last : {1, 3, 1000}) {
+    Chart chart = start;
+    ASSERT_EQ(Tutte_parameterizer().parameterize(chart, Execution()), Chart_status::valid);
+    int asked = 0;
+    std::set<double> fractions;
+    const Execution execution(1, [&](double fraction) {
+      fractions.insert(fraction);
+      return ++asked < last;
+    });
+    ASSERT_TRUE(last == 1 || execution.proceed(0.25));
+    Distortion_record record;
+    const Chart_status status = Symmetric_dirichlet_optimizer().optimize(chart, execution, record);
+    EXPECT_EQ(status, last == 1000 ? Chart_status::valid : Chart_status::cancelled);
+    if (last == 1000)
+      EXPECT_GE(asked, static_cast<int>(record.iterations));
+    else
+      EXPECT_EQ(asked, last);
+    EXPECT_EQ(fractions, std::set<double>{last == 1 ? 0 : 0.25}); // asking is no news
   }
 }
 

@@ -65,7 +65,20 @@ public:
   {
     if (callback_ && !is_cancelled()) {
       const std::lock_guard<std::mutex> lock(state_->mutex);
+      state_->fraction = fraction;
       if (!callback_(fraction))
+        state_->cancelled = true;
+    }
+    return !is_cancelled();
+  }
+
+  /// Asks whether to go on, without news: the listener hears the last fraction again, unless it is listening
+  /// to another thread. For steps inside long work, milliseconds apart or more.
+  bool proceed() const
+  {
+    if (callback_ && !is_cancelled()) {
+      const std::unique_lock<std::mutex> lock(state_->mutex, std::try_to_lock);
+      if (lock && !callback_(state_->fraction))
         state_->cancelled = true;
     }
     return !is_cancelled();
@@ -108,6 +121,7 @@ private:
   struct State
   {
     std::mutex mutex;
+    double fraction = 0; ///< the last one told
     std::atomic<bool> cancelled{false};
     unsigned threads = 1;
 #ifdef CGAL_LINKED_WITH_TBB

@@ -71,7 +71,7 @@ public:
           open.push_back({c, {}});
       std::stable_sort(open.begin(), open.end(),
                        [&](const Piece& a, const Piece& b) { return size(a.chart) < size(b.chart); });
-      while (!open.empty() && !execution_.is_cancelled())
+      while (!open.empty() && execution_.proceed())
         joined += join_some(open);
     }
     return joined;

@@ -101,7 +101,7 @@ private:
     record.has_converged = false;
     double change = 0;
     while (!record.has_converged && std::isfinite(change) && record.iterations < max_iterations_ &&
-           !execution.is_cancelled()) {
+           execution.proceed()) {
       change = flattener.step(system);
       ++record.iterations;
       record.has_converged = change <= angle_tolerance && flattener.violation() <= condition_tolerance;

@@ -59,7 +59,7 @@ public:
     for (const internal::Rest_triangle& triangle : rest)
       area += triangle.area;
     std::vector<internal::Complex> right;
-    for (std::size_t i = 0; i < max_iterations_ && !execution.is_cancelled(); ++i) {
+    for (std::size_t i = 0; i < max_iterations_ && execution.proceed(); ++i) {
       const double energy = local_step(chart, rest, u, right);
       if (!(energy < before - tolerance_ * area))
         break;

@@ -128,7 +128,7 @@ public:
     constexpr std::size_t work_per_triangle = 64;
     std::size_t moved = 0, work = work_per_triangle * surface_.number_of_triangles();
     std::vector<Chart_border> borders = borders_of_charts(surface_, segmentation_, limits_);
-    while (!borders.empty() && !execution.is_cancelled()) {
+    while (!borders.empty() && execution.proceed()) {
       std::vector<Chart_border> batch = take_independent(borders, segmentation_.number_of_charts);
       std::erase_if(batch, [&](const Chart_border& border) {
         const std::size_t needed = sizes_[border.pair[0]] + sizes_[border.pair[1]];

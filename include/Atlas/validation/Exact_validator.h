@@ -57,7 +57,7 @@ public:
       verdict = check_overlap(chart, execution);
     if (verdict.is_valid())
       verdict = internal::Chart_densities(chart, area_quantile_).check(max_area_ratio_);
-    if (execution.is_cancelled())
+    if (!execution.proceed())
       verdict = {Chart_status::cancelled, {}};
     return verdict;
   }

@@ -68,7 +68,7 @@ public:
   {
     std::size_t steps = 0;
     double decrease = 1;
-    while (steps < max_steps && decrease > tolerance && mean_energy() > target && !execution.is_cancelled() &&
+    while (steps < max_steps && decrease > tolerance && mean_energy() > target && execution.proceed() &&
            step(decrease))
       ++steps;
     return steps;

@@ -23,7 +23,7 @@ public:
     Conformal_matrix h = free_part(system.energy.matrix(), system.column, system.number_of_columns);
     const Graph graph{std::move(h.first), std::move(h.neighbor)};
     symbolic_ = std::make_unique<Supernodal_symbolic>(graph, approximate_minimum_degree(graph));
-    if (execution.is_cancelled())
+    if (!execution.proceed())
       return false;
     cholesky_ = std::make_unique<Multifrontal_cholesky<1>>(*symbolic_);
     return cholesky_->factorize(
