@@ -6,7 +6,6 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include "test_meshes.h"
-
 #include <set>
 
 namespace {
