@@ -36,13 +36,13 @@ struct Soup
 /// Most inputs are packed the fast way: the raster packer takes longer than all the rest.
 struct Some_packer
 {
-  int choice;
+  int choice; ///< of 64
 
   Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
   {
-    if (choice == 15)
+    if (choice == 63)
       return Raster_packer().pack(charts, page, execution);
-    if (choice >= 12)
+    if (choice >= 48)
       return Rectangle_packer().pack(charts, page, execution);
     return Horizon_packer().pack(charts, page, execution);
   }
@@ -53,8 +53,9 @@ Atlas_mode mode_of(int choice)
   return choice == 3 ? Atlas_mode::conformal : choice == 2 ? Atlas_mode::few_seams : Atlas_mode::standard;
 }
 
-/// The first byte tells the unit, the packer and the mode, the second the number of points; then come a byte
-/// per point and, for each face, a byte with the number of its corners and one for each corner.
+/// The first byte tells the unit, the packer and the mode, the second the packer and the number of points;
+/// then come a byte per point and, for each face, a byte with the number of its corners and one for each
+/// corner.
 Soup soup_of(const std::uint8_t* data, std::size_t size)
 {
   static constexpr double units[] = {1, 1e-30, 1e30, 0.1};
@@ -115,7 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                              parameters::texture_size(32)
                                                  .gutter(1)
                                                  .mode(mode_of(data[0] >> 2 & 3))
-                                                 .packer(Some_packer{data[0] >> 4})
+                                                 .packer(Some_packer{data[0] >> 4 << 2 | data[1] >> 6})
                                                  .number_of_threads(1));
   check(surface, uv, report);
   return 0;
