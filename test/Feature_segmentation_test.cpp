@@ -95,6 +95,38 @@ TEST(Feature_segmentation, The_fingers_of_a_glove_are_socks_with_a_cut)
   }
 }
 
+TEST(Feature_segmentation, Socks_of_little_area_stay_closed)
+{
+  // A small thimble in the middle of a disc, as one chart: 6 % and 0.06 % of its area.
+  for (const bool is_wide : {false, true}) {
+    const Surface surface =
+        test::surface_of(test::lathe({{is_wide ? 20 : 2, 0}, {0.2, 0}, {0.2, 0.5}, {0, 0.5}}, 24, 8));
+    Segmentation segmentation = test::one_chart(surface);
+    internal::cut_socks(surface, default_sock_ratio, segmentation, Execution());
+    EXPECT_EQ(std::count(segmentation.cut.begin(), segmentation.cut.end(), 1) == 0, is_wide);
+  }
+}
+
+TEST(Feature_segmentation, Small_charts_go_to_the_neighbour_with_most_border)
+{
+  // A strip of six cells along the bottom of a sheet: six edges to the chart above, one to that beside.
+  const Surface surface = test::surface_of(test::planar_grid(8, 8));
+  const internal::Piece piece = internal::whole_surface(surface);
+  for (const Index above : {0u, 1u}) {
+    internal::Chart_boundaries boundaries(surface, piece);
+    for (int c = 0; c < 3; ++c)
+      boundaries.new_chart();
+    const auto is_in_strip = [&](Index t) {
+      return middle(surface, t).y() < 0.125 && middle(surface, t).x() < 0.75;
+    };
+    for (Index t = 0; t < surface.number_of_triangles(); ++t)
+      boundaries.put(t, is_in_strip(t) ? 2 : middle(surface, t).x() < 0.75 ? above : 1 - above);
+    internal::Small_chart_absorber(surface, piece, boundaries).run({13, 0, 0});
+    for (Index t = 0; t < surface.number_of_triangles(); ++t)
+      EXPECT_EQ(boundaries.chart(t) == boundaries.chart(0), middle(surface, t).x() < 0.75);
+  }
+}
+
 TEST(Feature_segmentation, With_the_defaults_of_the_paper_a_glove_has_fingers_too)
 {
   for (const bool is_closed : {false, true}) {

@@ -70,6 +70,7 @@ TEST(Chart_gluing, leaves_a_cut_where_charts_touch_twice)
     return y == 7 ? 0 : x >= 3 && x < 5 && y > 2 ? 2 : 1;
   });
   const Chart lid = extract_charts(surface, segmentation)[0];
+  const Segmentation before = segmentation;
   internal::Chart_gluing gluing(surface, segmentation);
   EXPECT_EQ(gluing.neighbours(lid), (std::vector<Index>{1, 2}));
   gluing.glue(lid, 1);
@@ -80,6 +81,8 @@ TEST(Chart_gluing, leaves_a_cut_where_charts_touch_twice)
     cut += segmentation.cut[h] && surface.opposite[h] != no_index &&
            segmentation.chart[h / 3] == segmentation.chart[surface.opposite[h] / 3];
   EXPECT_EQ(cut, 2u * 3) << "both sides of the three edges to the other arm";
+  gluing.undo(lid);
+  EXPECT_TRUE(equal(segmentation, before));
 }
 
 TEST(Chart_gluing, fills_the_hole_of_a_slit_ring)
@@ -97,6 +100,28 @@ TEST(Chart_gluing, fills_the_hole_of_a_slit_ring)
   internal::Chart_gluing gluing(surface, segmentation);
   gluing.glue(charts[0], 1);
   segmentation.number_of_charts = 2;
+  EXPECT_TRUE(topology(extract_charts(surface, segmentation)[1]).is_disc());
+}
+
+TEST(Chart_gluing, stops_where_a_third_chart_comes_between_in_a_vertex)
+{
+  // The third chart hangs from the middle of the straight border between the other two.
+  const Surface surface = surface_of(planar_grid(cells, cells));
+  Segmentation segmentation = charts_by_cell(surface, 3, [](int, int y) -> Index { return y < 4 ? 0 : 1; });
+  const auto corners = [&](Index t, const std::function<bool(const Point_3&)>& where) {
+    return where(surface.point(3 * t)) + where(surface.point(3 * t + 1)) + where(surface.point(3 * t + 2));
+  };
+  Index third = 0;
+  for (Index t = 0; t < surface.number_of_triangles(); ++t)
+    if (segmentation.chart[t] == 1 && corners(t, [](const Point_3& p) { return p.y() == 0.5; }) == 1 &&
+        corners(t, [](const Point_3& p) { return p == Point_3(0.5, 0.5, 0); }) == 1) {
+      segmentation.chart[t] = 2;
+      ++third;
+    }
+  ASSERT_EQ(third, 1u);
+  const std::vector<Chart> charts = extract_charts(surface, segmentation);
+  ASSERT_TRUE(topology(charts[1]).is_disc());
+  internal::Chart_gluing(surface, segmentation).glue(charts[0], 1);
   EXPECT_TRUE(topology(extract_charts(surface, segmentation)[1]).is_disc());
 }
 

@@ -112,12 +112,15 @@ TEST(ConstrainHardEdges, WhatIsForbiddenStaysForbiddenAndSeamsStaySeams)
 
 TEST(ConstrainHardEdges, TrianglesWithoutAreaHaveNoAngle)
 {
-  // A flat triangle, on edge between two others.
-  const Surface s = surface_of(
-      {{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 0, 1}}, {{0, 3, 1}, {0, 1, 2}, {2, 1, 4}}});
-  if (s.number_of_triangles() == 3) {
-    EXPECT_TRUE(hard_edges(s, 1).empty());
-  }
+  // Three walls around an edge of a fourth; then one of them loses its area.
+  Surface s = surface_of({{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 1}, {2, 2, 1}, {0, 2, 1}},
+                          {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}});
+  ASSERT_EQ(s.number_of_triangles(), 4u);
+  EXPECT_EQ(hard_edges(s, 1).size(), 3u);
+  for (Index h = 0; h < s.opposite.size(); ++h)
+    if (s.point(h) == Point_3(1, -1, 1))
+      s.points[s.triangles[h / 3][h % 3]] = Point_3(1, 0, 0);
+  EXPECT_EQ(hard_edges(s, 1).size(), 2u);
 }
 
 TEST(ConstrainHardEdges, AnglesOutOfRangeViolateThePrecondition)
