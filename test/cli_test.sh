@@ -117,6 +117,63 @@ for option in '--mode standard' '--max-distortion 1.2' '--max-charts 2' '--min-c
 done
 rm out/*
 
+# What the charts of materials may do: six squares on a page, of two materials.
+python3 - >squares.obj <<'SQUARES'
+for i in range(6):
+    z = 2 * i
+    print("\n".join("v %g %g %g" % p for p in [(0, 0, z), (1, 0, z), (1, 1, z), (0, 1, z)]))
+    u, v = 0.05 + 0.3 * (i % 3), 0.05 + 0.45 * (i // 3)
+    print("\n".join("vt %g %g" % p for p in [(u, v), (u + 0.1, v), (u + 0.1, v + 0.1), (u, v + 0.1)]))
+for i in range(6):
+    print("usemtl", "wood" if i < 2 else "iron")
+    print("f", *("%d/%d" % (4 * i + k, 4 * i + k) for k in range(1, 5)))
+SQUARES
+# places FILE: u and v of the first two corners of each face
+places() {
+  awk '$1 == "vt" { u[++n] = $2; v[n] = $3 }
+       $1 == "f" { split($2, a, "/"); split($3, b, "/"); print u[a[2]], v[a[2]], u[b[2]], v[b[2]] }' "$1"
+}
+# sides FILE: the side of each square, in texels of a page of 256
+sides() { places "$1" | awk '{ printf "%.3f\n", 256 * sqrt(($1 - $3)^2 + ($2 - $4)^2) }'; }
+# moved FILE: the number of each face whose first two corners are not where they were in squares.obj
+moved() {
+  paste -d ' ' <(places squares.obj) <(places "$1") |
+    awk '{ for (k = 1; k <= 4; ++k) if (($k - $(k + 4))^2 > 1e-12) { printf "%d ", NR; next } }'
+}
+for weight in '--weight wood=3' '--weight wood=3 --weight iron=1' '--weight wood=1.5 --weight iron=0.5'; do
+  expect 0 0 $weight squares.obj -o out/a.obj --texture-size 256 --quiet
+  sides out/a.obj | awk '{ s[NR] = $1 } END { exit !(NR == 6 && s[3] > 1 && s[1] / s[3] > 2.995 && s[1] / s[3] < 3.005 && s[1] - s[2] < 0.01 && s[3] - s[6] < 0.01) }' ||
+    fail "$weight: $(sides out/a.obj | tr '\n' ' ')"
+done
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --keep-uv --weight iron=2 --quiet
+sides out/a.obj | awk '{ s[NR] = $1 } END { exit !(s[3] / s[1] > 1.995 && s[3] / s[1] < 2.005) }' || fail "weights of kept charts"
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --keep-uv --lock wood --quiet
+[ "$(moved out/a.obj)" = '3 4 5 6 ' ] || fail "locked charts: moved are $(moved out/a.obj)"
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --keep-uv --lock wood --lock iron --quiet
+[ -z "$(moved out/a.obj)" ] || fail "all charts are locked: moved are $(moved out/a.obj)"
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --keep-uv --group wood --quiet
+places out/a.obj | awk '{ x[NR] = $1; y[NR] = $2; w[NR] = sqrt(($1 - $3)^2 + ($2 - $4)^2) }
+  END { d = sqrt((x[1] - x[2])^2 + (y[1] - y[2])^2) / w[1]; exit !(d > 2.999 && d < 3.001 && w[1] / w[3] > 0.999 && w[1] / w[3] < 1.001) }' ||
+  fail "no group: $(places out/a.obj)"
+# A chart that has no coordinates, or lies face down, cannot stay.
+sed 's#^f 1/1 2/2 3/3 4/4#f 1 2 3 4#; s#^f 5/5 6/6 7/7 8/8#f 5/6 6/5 7/8 8/7#' squares.obj >unlockable.obj
+expect 0 1 unlockable.obj -o out/a.obj --texture-size 256 --keep-uv --lock wood
+grep -q '2 faces of locked materials' stderr || fail "faces that do not stay: $(cat stderr)"
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --stack copies --hard-angle 30 --quiet
+[ "$(places out/a.obj | sort -u | wc -l)" -eq 1 ] || fail "copies are not stacked: $(places out/a.obj)"
+for wish in '--lock wood' '--group wood'; do
+  expect 2 1 squares.obj -o out/b.obj $wish
+  grep -q -e "${wish% *}: .*keep-uv" stderr || fail "no word on --keep-uv: $(cat stderr)"
+  expect 2 1 squares.obj -o out/b.obj --keep-uv ${wish% *} none
+  grep -q "no material called 'none'" stderr || fail "an unknown material: $(cat stderr)"
+done
+expect 2 1 squares.obj -o out/b.obj --keep-uv --lock wood --texture-size 64x128
+for weight in wood wood= wood=0 wood=-1 wood=x none=2; do
+  expect 2 1 squares.obj -o out/b.obj --weight $weight
+done
+expect 2 1 squares.obj -o out/b.obj --stack all
+rm out/*
+
 # What pages are like.
 expect 0 0 cube.obj -o out/a.obj --hard-angle 60 --pages 2 --effort normal --rotation quarter --mip-levels 2 --block 4
 grep -q 'on 2 pages' stdout || fail "two pages asked for"
@@ -186,6 +243,76 @@ sys.exit(len(densities) != 36 or max(densities) > 1.0001 * min(densities))
 DENSITY
 rm out/*
 
+# Several meshes have one atlas, and come back one by one.
+expect 0 0 cube.obj -o out/box.glb
+cp out/box.glb box.glb
+rm out/*
+(cat cube.obj && printf 'f 1 2 99\n') >repair.obj
+# shared DENSITY FILE...: faces of cubes are squares of one density, and no two of all files overlap
+shared() {
+  python3 - "$@" <<'SHARED'
+import math, sys
+squares = []
+for name in sys.argv[2:]:
+    v, vt = [], []
+    for line in open(name):
+        words = line.split()
+        if words[:1] == ["v"]:
+            v.append([float(x) for x in words[1:4]])
+        if words[:1] == ["vt"]:
+            vt.append([float(x) for x in words[1:3]])
+        if words[:1] == ["f"] and "99" not in line:
+            corners = [vt[int(w.split("/")[1]) - 1] for w in words[1:]]
+            squares.append([sum(x) / 4 for x in zip(*corners)] + [math.dist(corners[0], corners[1])])
+sides = sorted(s[2] for s in squares)
+apart = min(math.dist(a[:2], b[:2]) for i, a in enumerate(squares) for b in squares[:i])
+sys.exit(not (len(squares) == int(sys.argv[1]) and sides[-1] < 1.001 * sides[0] and apart > sides[0]))
+SHARED
+}
+shared_files=(.mtl _checkerboard.png _page.png _stretch.png _view.png .json .html)
+expect 0 1 cube.obj repair.obj ./cube.obj -o out/s.obj --hard-angle 60 --texture-size 256
+grep -q 'repair.obj: face 6 ' stderr || fail "the mesh of a rejected face is not named: $(cat stderr)"
+shared 18 out/s_cube.obj out/s_repair.obj out/s_cube_2.obj || fail "several meshes do not share a page"
+for name in cube repair; do
+  [ "$(grep '^v ' out/s_$name.obj)" = "$(grep '^v ' $name.obj)" ] || fail "vertices of $name"
+  [ "$(grep '^f ' out/s_$name.obj | sed 's#/[0-9]*##g')" = "$(grep '^f ' $name.obj)" ] || fail "faces of $name"
+  grep -q 'mtllib s.mtl' out/s_$name.obj || fail "material of $name"
+done
+grep -q 'map_Kd s_checkerboard.png' out/s.mtl || fail "the texture of several meshes"
+python3 -c 'import json, sys; m = json.load(open("out/s.json"))["meshes"]; sys.exit(not ([x["mesh"] for x in m] == ["cube.obj", "repair.obj", "./cube.obj"] and [x["first_face"] for x in m] == [0, 6, 13] and m[2]["model"] == "out/s_cube_2.obj"))' ||
+  fail "the report on several meshes"
+files s_cube.obj s_repair.obj s_cube_2.obj "${shared_files[@]/#/s}"
+expect 0 0 cube.obj box.glb -o "out/s 1.glb" --pages 2 --texture-size 128
+for name in cube box; do
+  expect 0 0 "out/s 1_$name.glb" -o out/t.obj --bake texture --texture-size 64
+  rm out/t*
+done
+python3 - "out/s 1_cube.glb" <<'URI' || fail "a glTF file of several does not name the textures"
+import json, struct, sys
+data = open(sys.argv[1], "rb").read()
+gltf = json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])
+sys.exit([image["uri"] for image in gltf["images"]] != ["s%201_checkerboard.1001.png", "s%201_checkerboard.1002.png"])
+URI
+rm out/*
+expect 0 0 cube.obj colored.obj -o out/s.ply --bake colors --texture-size 64
+grep -a -q 'TextureFile s_color.png' out/s_cube.ply && grep -a -q 'TextureFile s_color.png' out/s_colored.ply || fail "textures of PLY files"
+rm out/*
+expect 0 0 cube.obj materials.obj -o out/s.obj --weight a=2 --hard-angle 60 --quiet
+shared 12 out/s_cube.obj out/s_materials.obj && fail "a weight has no effect on the second mesh"
+expect 0 0 out/s_cube.obj out/s_materials.obj -o out/t.obj --keep-uv --bake texture --quiet
+shared 12 out/t_s_cube.obj out/t_s_materials.obj || fail "several meshes with coordinates"
+rm out/*
+(cd out && expect 0 0 ../cube.obj ../box.glb && rm stdout stderr)
+files atlas_cube.obj atlas_box.obj "${shared_files[@]/#/atlas}"
+expect 2 1 cube.obj box.glb -o /dev/null
+printf 'v 0 0 0\nv 1 x 0\n' >broken.obj
+expect 3 1 cube.obj broken.obj -o out/s.obj
+grep -q 'broken.obj:2' stderr || fail "the broken one of several meshes is not named"
+mkdir out/s_box.obj
+expect 3 1 cube.obj box.glb -o out/s.obj
+rmdir out/s_box.obj
+files
+
 # The same bytes for any number of threads.
 expect 0 0 cube.obj -o out/1.obj --threads 1
 expect 0 0 cube.obj -o out/2.obj --threads 3
@@ -207,10 +334,9 @@ expect 2 1 cube.obj --gutter nan -o out/a.obj
 expect 2 1 cube.obj --gutter 600 -o out/a.obj
 expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
-expect 2 1 cube.obj cube.obj -o out/a.obj
 expect 0 0 --help
 for option in MESH --output --mode --max-distortion --measure --max-charts --min-chart-texels --hard-angle --separate-materials \
-  --keep-uv --texture-size --gutter --pages --density --effort --rotation --mip-levels --block --report --threads \
+  --keep-uv --texture-size --gutter --pages --density --effort --rotation --mip-levels --block --stack --weight --group --lock --report --threads \
   --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"
 done

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The main job as a program: any polygon mesh in, a textured model out, with pictures and a report.
 #include <Atlas/IO/IO_error.h>
-#include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/read_textures.h>
+#include <Atlas/IO/pages.h>
 #include <Atlas/IO/start_polygons_at_fans.h>
-#include <Atlas/build_surface.h>
 
 #include <CGAL/assertions.h>
 
-#include "../read_page_size.h"
 #include "texture_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -21,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <new>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -52,21 +51,16 @@ void declare_options(CLI::App& app, Options& options)
                   "squares conformal maps,\n"
                   "packs them into the unit square and proves the result free of flips and overlaps. "
                   "Vertices, faces and\n"
-                  "their order stay as they are.");
-  app.add_option("MESH", options.mesh, "The mesh: .obj, .off, .ply, .stl, .gltf or .glb")->required();
+                  "their order stay as they are. Several meshes share one atlas and its density.");
+  app.add_option("MESH", options.meshes, "The mesh, or several: .obj, .off, .ply, .stl, .gltf or .glb")
+      ->required();
   app.add_option(
       "-o,--output", options.output,
       "The textured model to write, an .obj file. Beside it, with the same stem, appear the material (.mtl), "
       "a checkerboard texture (_checkerboard.png), the page with its charts in colours (_page.png), the "
       "model from several sides (_view.png) and the report (.json). Default: <stem of MESH>_atlas.obj in "
-      "the current directory");
-  app.add_option("--texture-size", options.texture_size,
-                 "Size of the page in texels: one number for a square, or WIDTHxHEIGHT")
-      ->capture_default_str();
-  app.add_option("--gutter", options.page.gutter,
-                 "Least distance between two charts in texels; half of it to the border of the page")
-      ->check(CLI::Range(0.0, 16384.0))
-      ->capture_default_str();
+      "the current directory. Of several meshes each gets a model whose name adds its own stem, `out.obj` "
+      "becomes `out_<stem of MESH>.obj`, and they share all other files; default: atlas.obj");
   app.add_option(
          "--mode", options.mode,
          "What matters most: `standard` has few charts with low distortion, `few-seams` fewer and larger "
@@ -101,31 +95,7 @@ void declare_options(CLI::App& app, Options& options)
       "--keep-uv", options.keeps_uv,
       "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
       "faces without coordinates are flattened. Does not go with options that tell what charts are like");
-  app.add_option(
-         "--pages", options.page.pages,
-         "Number of pages that may be filled. Of several pages each has its textures, and coordinates "
-         "are UDIM tiles (.obj) or materials (.glb)")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option(
-         "--density", options.page.density,
-         "Texels per unit of the model, on as many pages as that takes. Default: the largest that fits "
-         "the pages")
-      ->check(CLI::Range(0.0, 1e300));
-  app.add_option("--effort", options.effort, "How long to look for a tighter packing")
-      ->check(CLI::IsMember({"fast", "normal", "best"}))
-      ->capture_default_str();
-  app.add_option("--rotation", options.rotation, "How charts may turn on the page")
-      ->check(CLI::IsMember({"any", "quarter", "none"}))
-      ->capture_default_str();
-  app.add_option("--mip-levels", options.page.mip_levels,
-                 "Keep charts apart down to this level of a mip-map: by 2^n texels")
-      ->check(CLI::Range(0, 14))
-      ->capture_default_str();
-  app.add_option("--block", options.page.block,
-                 "No two charts share a block of so many texels squared: 4 for most texture compression")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+  add_packing_options(app, options);
   app.add_option("--report", options.report,
                  "Where to write the report as JSON, instead of beside the model");
   app.add_option("--threads", options.threads,
@@ -143,7 +113,8 @@ void declare_options(CLI::App& app, Options& options)
                                                                       {"texture", Bake::texture},
                                                                       {"normals", Bake::normals},
                                                                       {"occlusion", Bake::occlusion}})
-                      .description("colors|texture|normals|occlusion"));
+                      .description("colors|texture|normals|occlusion"))
+      ->allow_extra_args(false);
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
@@ -151,32 +122,41 @@ void declare_options(CLI::App& app, Options& options)
              "a file that\ncannot be read or written; 130 if interrupted. Files appear whole or not at all.");
 }
 
+/// Refuses options that have no meaning with, or without, the coordinates of the file.
+void check_use_of_uv(const CLI::App& app, const Options& options)
+{
+  const auto refuse = [&](const char* option, const char* named, const std::string& why) {
+    if (app.count(option) > 0)
+      throw CLI::ValidationError(named, why);
+  };
+  if (!options.keeps_uv) {
+    for (const char* name : {"--group", "--lock"})
+      refuse(name, name, "charts have places only where those of the file are kept: add --keep-uv");
+    return;
+  }
+  for (const char* name : {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels",
+                           "--hard-angle", "--separate-materials"})
+    refuse(name, "--keep-uv",
+           std::string("the charts of the file stay as they are, so ") + name +
+               " has no meaning: leave out one of the two");
+}
+
 /// Sets defaults that depend on other options, and refuses what cannot be.
-void complete(const CLI::App& app, Options& options)
+void complete_all(const CLI::App& app, Options& options)
 {
   if (options.output.empty())
-    options.output = fs::path(options.mesh).stem().string() + "_atlas.obj";
+    options.output = options.meshes.size() > 1
+                         ? "atlas.obj"
+                         : fs::path(options.meshes.front()).stem().string() + "_atlas.obj";
   const std::string extension = fs::path(options.output).extension().string();
   const bool is_device = fs::exists(options.output) && !fs::is_regular_file(options.output);
+  if (is_device && options.meshes.size() > 1)
+    throw CLI::ValidationError("--output", "several models cannot go to one place: " + options.output);
   if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
     throw CLI::ValidationError("--output",
                                "the name of the model must end in .obj, .glb or .ply: " + options.output);
-  read_page_size(options.texture_size, options.page.width, options.page.height);
-  const Atlas::Index shorter_side = std::min(options.page.width, options.page.height);
-  if (!(options.page.effective_gutter() * 2 < shorter_side)) // not a number fails too
-    throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
-                                               CLI::detail::to_string(options.page.effective_gutter()) +
-                                               " texels");
-  if (options.keeps_uv)
-    for (const char* name : {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels",
-                             "--hard-angle", "--separate-materials"})
-      if (app.count(name) > 0)
-        throw CLI::ValidationError("--keep-uv", std::string("the charts of the file stay as they are, so ") +
-                                                    name + " has no meaning: leave out one of the two");
-  using enum Atlas::Chart_rotation;
-  options.page.rotation = options.rotation == "quarter" ? quarter_turns
-                          : options.rotation == "none"  ? none
-                                                        : any;
+  complete(options);
+  check_use_of_uv(app, options);
 }
 
 std::atomic<bool> is_interrupted{false};
@@ -230,12 +210,14 @@ void print_table(const Options& options, const Atlas::Polygon_soup& model, const
 {
   const Atlas::Distortion& d = report.distortion;
   const Atlas::Atlas_certificate& c = report.certificate;
-  std::printf("mesh          %s: %zu vertices, %zu faces\n",
-              fs::path(options.mesh).filename().string().c_str(), model.points.size(), report.faces);
-  std::printf("charts        %zu on %zu page%s of %u x %u texels\n", report.charts.size(), report.pages,
+  std::printf("mesh          %s: %zu vertices, %zu faces\n", options.title().c_str(), model.points.size(),
+              report.faces);
+  std::printf("charts        %zu on %zu page%s of %u x %u texels", report.charts.size(), report.pages,
               report.pages == 1 ? "" : "s", report.page_width, report.page_height);
+  if (report.stacked_charts > 0)
+    std::printf(", %zu of them on copies of theirs", report.stacked_charts);
   std::printf(
-      "distortion    stretch L2 %.3f, Linf %.2f; angles %.3f (1 is conformal); areas %.3f (1 is equal)\n",
+      "\ndistortion    stretch L2 %.3f, Linf %.2f; angles %.3f (1 is conformal); areas %.3f (1 is equal)\n",
       d.l2_stretch, d.linf_stretch, d.quasi_conformal_mean, d.area_mean);
   std::printf("packing       %.1f %% of the page covered, %.4g texels per unit",
               100 * report.packing_efficiency, report.density);
@@ -256,29 +238,53 @@ void print_times(const Atlas::Atlas_report& report, double reading, double writi
 }
 
 /// Tells of faces that take no part; the report has all of them.
-void print_rejected(const Atlas::Atlas_report& report)
+void print_rejected(const Options& options, const Atlas::Joined_soups& models,
+                    const Atlas::Atlas_report& report)
 {
   constexpr std::size_t shown = 5;
-  for (std::size_t i = 0; i < std::min(report.rejected.size(), shown); ++i)
-    std::fprintf(stderr, "texture_atlas: face %u (counting from 0) takes no part: %s\n",
-                 report.rejected[i].face, message(report.rejected[i].reason));
+  for (std::size_t i = 0; i < std::min(report.rejected.size(), shown); ++i) {
+    const std::size_t face = report.rejected[i].face;
+    std::size_t mesh = models.number_of_parts() - 1;
+    while (models.first_face(mesh) > face)
+      --mesh;
+    std::fprintf(stderr, "texture_atlas: %s%sface %zu (counting from 0) takes no part: %s\n",
+                 models.number_of_parts() > 1 ? options.meshes[mesh].c_str() : "",
+                 models.number_of_parts() > 1 ? ": " : "", face - models.first_face(mesh),
+                 message(report.rejected[i].reason));
+  }
   if (report.rejected.size() > shown)
     std::fprintf(stderr, "texture_atlas: and %zu more faces; the report lists them\n",
                  report.rejected.size() - shown);
 }
 
-/// Refuses wishes that the model cannot fulfil.
-void check_wishes(const Options& options, const Atlas::Polygon_soup& model)
+/// How many faces of locked materials are not where they were.
+std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup& model)
 {
-  if (options.has(Bake::colors) && model.colors.empty())
-    throw Atlas::IO_error(options.mesh + ": the vertices have no colours to bake");
-  if ((options.keeps_uv || options.has(Bake::texture)) && model.uv.empty())
-    throw Atlas::IO_error(options.mesh + ": there are no texture coordinates in this file");
+  constexpr double tolerance = 1e-5;
+  const std::vector<Material_rule> rules = rules_of(options.materials, model);
+  const std::vector<Atlas::Point_2> uv = Atlas::udim_uv(model);
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < model.face_material.size(); ++f) {
+    bool is_moved = false;
+    for (std::size_t c = model.first[f]; c < model.first[f + 1]; ++c)
+      is_moved = is_moved || !(std::abs(uv[c].x() - model.old_uv[c].x()) <= tolerance &&
+                               std::abs(uv[c].y() - model.old_uv[c].y()) <= tolerance);
+    const Atlas::Index material = model.face_material[f];
+    count += is_moved && material != Atlas::no_index && rules[material].is_locked;
+  }
+  return count;
 }
 
 /// Tells of wishes that could not be fulfilled.
-void print_unfulfilled(const Options& options, const Atlas::Atlas_report& report)
+void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
+                       const Atlas::Atlas_report& report)
 {
+  if (!options.materials.locked.empty())
+    if (const std::size_t moved = moved_locked_faces(options, model))
+      std::fprintf(stderr,
+                   "texture_atlas: %zu faces of locked materials have no usable place in the file (no "
+                   "coordinates, face down, or folded) and got another\n",
+                   moved);
   constexpr double tolerance = 1e-6;
   if (report.density < options.page.density * (1 - tolerance))
     std::fprintf(
@@ -299,21 +305,18 @@ int say_interrupted()
 int run(const Options& options)
 {
   const Stopwatch reading;
-  Atlas::Polygon_soup model = Atlas::read_polygon_soup(options.mesh);
-  Atlas::Surface surface = Atlas::build_surface(model.points, model.first, model.vertices);
-  check_wishes(options, model);
-  const Atlas::Source_textures source =
-      options.has(Bake::texture) ? Atlas::read_textures(options.mesh, model) : Atlas::Source_textures();
+  Input input = read_meshes(options);
+  Atlas::Polygon_soup& model = input.models.whole();
   const double seconds_reading = reading.seconds();
 
   Progress_printer progress(options);
   std::vector<Atlas::Point_2> uv;
-  const Atlas::Atlas_report report = make_atlas(options, model, surface, uv, std::ref(progress));
+  const Atlas::Atlas_report report = make_atlas(options, model, input.surface, uv, std::ref(progress));
   progress.finish();
   if (report.status == Atlas::Atlas_status::cancelled)
     return say_interrupted();
   if (report.status == Atlas::Atlas_status::no_surface) {
-    print_error(options.mesh + ": " + message(report.status));
+    print_error(options.name() + ": " + message(report.status));
     return not_valid;
   }
 
@@ -321,13 +324,13 @@ int run(const Options& options)
   const Atlas::Execution execution(options.threads, [](double) { return !is_interrupted; });
   model.old_uv = std::exchange(model.uv, std::move(uv));
   model.face_page = report.face_page;
-  start_polygons_at_fans(surface, model);
-  const std::vector<std::string> names = write_outputs(options, model, report, source, execution);
+  start_polygons_at_fans(input.surface, model);
+  const std::vector<std::string> names = write_outputs(options, input, report, execution);
   if (execution.is_cancelled())
     return say_interrupted();
   if (!options.is_quiet) {
-    print_rejected(report);
-    print_unfulfilled(options, report);
+    print_rejected(options, input.models, report);
+    print_unfulfilled(options, model, report);
     print_table(options, model, report);
     print_times(report, seconds_reading, writing.seconds());
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -336,7 +339,7 @@ int run(const Options& options)
       throw Atlas::IO_error("cannot write to stdout");
   }
   if (!report.is_valid()) {
-    print_error(options.mesh + ": " + message(report.certificate));
+    print_error(options.name() + ": " + message(report.certificate));
     return not_valid;
   }
   return success;
@@ -347,6 +350,39 @@ int run(const Options& options)
 bool Options::has(Bake bake) const
 {
   return std::find(bakes.begin(), bakes.end(), bake) != bakes.end();
+}
+
+std::string Options::name() const
+{
+  std::string result;
+  for (const std::string& file : meshes)
+    result += (result.empty() ? "" : ", ") + file;
+  return result;
+}
+
+std::string Options::title() const
+{
+  std::string result;
+  for (const std::string& file : meshes)
+    result += (result.empty() ? "" : ", ") + fs::path(file).filename().string();
+  return result;
+}
+
+std::vector<std::string> Options::models() const
+{
+  if (meshes.size() == 1)
+    return {output};
+  const fs::path path = output;
+  std::vector<std::string> result;
+  std::set<std::string> taken;
+  for (const std::string& file : meshes) {
+    const std::string stem = path.stem().string() + '_' + fs::path(file).stem().string();
+    std::string name = stem;
+    for (int number = 2; !taken.insert(name).second; ++number)
+      name = stem + '_' + std::to_string(number);
+    result.push_back((path.parent_path() / (name + path.extension().string())).string());
+  }
+  return result;
 }
 
 int main(int argc, char** argv)
@@ -363,7 +399,7 @@ int main(int argc, char** argv)
   declare_options(app, options);
   try {
     app.parse(argc, argv);
-    complete(app, options);
+    complete_all(app, options);
     return run(options);
   } catch (const CLI::CallForHelp&) {
     std::fputs((app.help() + '\n').c_str(), stdout);
@@ -378,10 +414,10 @@ int main(int argc, char** argv)
     print_error(error.what());
     return io_failure;
   } catch (const std::bad_alloc&) {
-    print_error(options.mesh + ": not enough memory");
+    print_error(options.name() + ": not enough memory");
     return io_failure;
   } catch (const std::exception& error) {
-    print_error(options.mesh + ": internal error: " + error.what());
+    print_error(options.name() + ": internal error: " + error.what());
     return internal_failure;
   }
 }

@@ -7,6 +7,7 @@
 
 #include "texture_atlas.h"
 #include <limits>
+#include <map>
 
 namespace {
 
@@ -27,18 +28,32 @@ Atlas::Distortion_measure measure_of(const std::string& name)
                                           : symmetric_dirichlet;
 }
 
-Atlas::Packing_effort effort_of(const std::string& name)
-{
-  using enum Atlas::Packing_effort;
-  return name == "best" ? best : name == "normal" ? normal : fast;
-}
-
 /// Materials become patches; a face without one is of one more material.
 void separate_materials(const Atlas::Polygon_soup& model, Atlas::Surface& surface)
 {
   surface.patch.resize(surface.number_of_triangles());
   for (std::size_t t = 0; t < surface.patch.size(); ++t)
     surface.patch[t] = model.face_material.empty() ? 0 : model.face_material[surface.face[t]] + 1;
+}
+
+/// Faces have the weights of their materials.
+void set_weights(const Options& options, const Atlas::Polygon_soup& model, Atlas::Surface& surface)
+{
+  const std::vector<Material_rule> rules = rules_of(options.materials, model);
+  for (const Atlas::Index face : surface.face) {
+    const Atlas::Index material = model.face_material.empty() ? Atlas::no_index : model.face_material[face];
+    surface.density_weight.push_back(material == Atlas::no_index ? 1 : rules[material].weight);
+  }
+}
+
+/// Faces of the same weight become patches: no chart has faces of two weights.
+void separate_weights(Atlas::Surface& surface)
+{
+  std::map<double, Atlas::Index> patch_of_weight;
+  for (const double weight : surface.density_weight) {
+    const auto next = static_cast<Atlas::Index>(patch_of_weight.size());
+    surface.patch.push_back(patch_of_weight.try_emplace(weight, next).first->second);
+  }
 }
 
 } // namespace
@@ -54,9 +69,11 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   if (!options.measure.empty())
     merge.measure = measure_of(options.measure);
   const auto common = Atlas::parameters::page_options(options.page)
-                          .packer(Atlas::Raster_packer(effort_of(options.effort)))
+                          .packer(Material_packer(surface, model, options.materials, options.effort))
                           .number_of_threads(options.threads)
                           .progress(progress);
+  if (!options.materials.weights.empty())
+    set_weights(options, model, surface);
   if (options.keeps_uv) {
     Atlas::constrain_to_uv(surface, model.uv);
     const Atlas::Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);
@@ -67,6 +84,8 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   }
   if (options.separates_materials)
     separate_materials(model, surface);
+  else if (!options.materials.weights.empty())
+    separate_weights(surface);
   return Atlas::generate_atlas(surface, uv,
                                common.mode(mode)
                                    .merge_options(merge)

@@ -158,25 +158,51 @@ std::vector<std::string> pngs_of(const Textures& textures)
   return pngs;
 }
 
-/// The model in the format that its extension names, with its texture.
-void add_model(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
-               const Textures& textures)
+/// The models in the format that the extension of the output names, with the texture of all. It is inside of
+/// a glTF file only if there is but one model.
+void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_soups& models,
+                const Textures& textures)
 {
   const fs::path output = options.output;
   const std::vector<std::string> pngs = pngs_of(textures);
-  if (output.extension() == ".glb") {
-    outputs.add(output, Atlas::glb_bytes(model, pngs));
+  if (output.extension() == ".glb" && models.number_of_parts() == 1) {
+    outputs.add(output, Atlas::glb_bytes(models.whole(), pngs));
     return;
   }
   const std::string picture = beside(output, textures.suffix).filename().string();
-  if (output.extension() == ".ply") {
-    outputs.add(output, Atlas::ply_bytes(model, picture));
-  } else {
-    const fs::path library = beside(output, ".mtl");
-    outputs.add(output, Atlas::obj_text(model, library.filename().string()));
-    outputs.add(library, Atlas::mtl_text(model, picture));
-  }
+  const auto pages = static_cast<Atlas::Index>(pngs.size());
+  const fs::path library = beside(output, ".mtl");
+  const auto bytes_of = [&](const Atlas::Polygon_soup& model) {
+    if (output.extension() == ".ply")
+      return Atlas::ply_bytes(model, picture, Atlas::Ply_texcoord_style::wedge, pages);
+    if (output.extension() == ".obj")
+      return Atlas::obj_text(model, library.filename().string());
+    std::vector<std::string> names;
+    for (Atlas::Index page = 0; page < pages; ++page)
+      names.push_back(Atlas::page_file_name(picture, page, pages));
+    return Atlas::glb_bytes(model, names, Atlas::Gltf_textures::files);
+  };
+  const std::vector<std::string> files = options.models();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    outputs.add(files[i], files.size() == 1 ? bytes_of(models.whole()) : bytes_of(models.part(i)));
+  if (output.extension() == ".obj")
+    outputs.add(library, Atlas::mtl_text(models.whole(), picture));
   add_textures(outputs, output, pngs, textures.suffix);
+}
+
+/// Which models there are, and where each starts in the lists of the report.
+Atlas::Json description(const Options& options, const Atlas::Joined_soups& models)
+{
+  if (options.meshes.size() == 1)
+    return {{"mesh", options.meshes.front()}, {"vertices", models.whole().points.size()}};
+  Atlas::Json list = Atlas::Json::array();
+  const std::vector<std::string> files = options.models();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    list.push_back({{"mesh", options.meshes[i]},
+                    {"model", files[i]},
+                    {"first_vertex", models.first_vertex(i)},
+                    {"first_face", models.first_face(i)}});
+  return {{"meshes", list}, {"vertices", models.whole().points.size()}};
 }
 
 /// Several pages are shown side by side.
@@ -196,8 +222,7 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
   outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
   outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
   outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
-  outputs.add(beside(output, ".html"),
-              Atlas::html_report(sheet, report, pictures, fs::path(options.mesh).filename().string()));
+  outputs.add(beside(output, ".html"), Atlas::html_report(sheet, report, pictures, options.title()));
   if (!options.picture.empty()) {
     const Atlas::Image page =
         Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(pictures.view.height), culprits);
@@ -207,22 +232,21 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
 
 } // namespace
 
-std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
-                                       const Atlas::Atlas_report& report,
-                                       const Atlas::Source_textures& source,
-                                       const Atlas::Execution& execution)
+std::vector<std::string> write_outputs(const Options& options, Input& input,
+                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution)
 {
   Outputs outputs;
+  Atlas::Polygon_soup& model = input.models.whole();
   const fs::path output = options.output;
   const bool is_device = fs::exists(output) && !fs::is_regular_file(output); // then nothing lies beside it
   if (is_device) {
     outputs.add(output, Atlas::obj_text(model, ""));
   } else {
-    const Baker bake(options, model, source, execution);
+    const Baker bake(options, model, input.source, execution);
     const Textures textures = texture_of_model(options, model, bake);
     if (options.has(Bake::colors))
       model.colors.clear(); // they are in the texture now
-    add_model(outputs, options, model, textures);
+    add_models(outputs, options, input.models, textures);
     for (const Bake what : {Bake::normals, Bake::occlusion})
       if (options.has(what)) {
         const Textures further = bake(what);
@@ -230,7 +254,7 @@ std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_so
       }
     add_pictures(outputs, options, model, textures, report);
   }
-  Atlas::Json json = {{"mesh", options.mesh}, {"vertices", model.points.size()}};
+  Atlas::Json json = description(options, input.models);
   json.update(to_json(report));
   if (!is_device || !options.report.empty())
     outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),

@@ -5,11 +5,12 @@
 
 #include <Atlas/Atlas_report.h>
 #include <Atlas/Execution.h>
+#include <Atlas/IO/Joined_soups.h>
 #include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/Source_textures.h>
-#include <Atlas/Packing.h>
 #include <Atlas/Surface.h>
 
+#include "../packing_options.h"
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -18,31 +19,44 @@
 /// What the texture of the model shows, or a further picture beside it.
 enum class Bake { colors, texture, normals, occlusion };
 
-struct Options
+struct Options : Packing_options
 {
-  std::string mesh, output, report, picture;
-  std::string mode = "standard", measure, effort = "fast", rotation = "any";
+  std::vector<std::string> meshes; ///< files to read
+  std::string output, report, picture;
+  std::string mode = "standard", measure;
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
   std::size_t max_charts = 0;
-  std::string texture_size = std::to_string(Atlas::default_texture_size);
-  Atlas::Page_options page; ///< with the texture size as width and height once the options are complete
   unsigned threads = 0;
   std::vector<Bake> bakes;
   bool keeps_uv = false, separates_materials = false, is_quiet = false, shows_progress = false;
 
   bool has(Bake bake) const;
+  /// The meshes, for messages: their files as they were given.
+  std::string name() const;
+  /// The same without folders.
+  std::string title() const;
+  /// The file of each mesh's model. One mesh has the name of the output; of several, each adds its own.
+  std::vector<std::string> models() const;
 };
+
+/// What has been read.
+struct Input
+{
+  Atlas::Joined_soups models;
+  Atlas::Surface surface;        ///< of all of them
+  Atlas::Source_textures source; ///< if they are to be baked
+};
+
+/// Reads all meshes. \throw Atlas::IO_error if one cannot be read, or lacks what has been asked for
+Input read_meshes(const Options& options);
 
 /// Makes the atlas. `uv` gets the coordinates per corner of the model.
 Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,
                                Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
                                const std::function<bool(Atlas::Stage, double)>& progress);
 
-/// Writes everything or nothing; nothing once cancelled. `source` are the textures that the model had.
-/// Returns the names of what has been written.
-std::vector<std::string> write_outputs(const Options& options, Atlas::Polygon_soup& model,
-                                       const Atlas::Atlas_report& report,
-                                       const Atlas::Source_textures& source,
-                                       const Atlas::Execution& execution);
+/// Writes everything or nothing; nothing once cancelled. Returns the names of what has been written.
+std::vector<std::string> write_outputs(const Options& options, Input& input,
+                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution);
 
 #endif

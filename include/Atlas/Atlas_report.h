@@ -71,6 +71,8 @@ struct [[nodiscard]] Atlas_report
   std::vector<Chart_report> charts;
   std::size_t split_charts = 0;    ///< how many charts were refused and split on the way
   std::size_t rejoined_pieces = 0; ///< how many of the pieces were accepted together with a neighbour
+  std::size_t stacked_charts = 0;  ///< how many charts lie on a chart that they are a copy of, as asked for;
+                                   ///< the certificate takes each such layer for a page of its own
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
   std::size_t charts_beyond_bound = 0;

@@ -91,6 +91,8 @@ struct Packing
   Index number_of_pages = 0;
   double density = 0; ///< texels per unit of the charts' coordinates
   double gutter = 0;  ///< what was kept: less than asked for only where a page has no room for so many charts
+  std::vector<Index> layers = {}; ///< per chart: how many charts that it is a copy of lie below it, at the
+                                  ///< same place; empty: none are stacked
 };
 
 /// The number of a page in the UDIM scheme: ten tiles a row, from 1001 on.

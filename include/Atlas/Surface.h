@@ -60,6 +60,8 @@ struct Surface
   std::vector<double> seam_cost; ///< per halfedge, the same on both sides: what a seam costs here per length,
                                  ///< positive, 1 is usual; empty: 1 everywhere
   std::vector<Index> patch;      ///< per triangle: patches that no chart may cross; empty: one patch
+  std::vector<double> density_weight; ///< per triangle, positive: a chart gets the density of all times the
+                                      ///< mean of its triangles' weights, by area; empty: 1 everywhere
 
   struct Rejected_face
   {

@@ -27,6 +27,8 @@ struct seam_cost_map_t
 {};
 struct forbidden_seam_map_t
 {};
+struct face_weight_map_t
+{};
 struct segmentation_t
 {};
 struct parameterizer_t
@@ -122,6 +124,15 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::forbidden_seam_map_t>(k);
   }
+  /// How much more texels a face gets than others: a readable map of positive numbers from faces; 1 is usual.
+  /// A chart's density is that of the atlas times the mean of its faces' weights, by area in space, but no
+  /// chart becomes smaller than about a texel. To have the weights of every face to the letter, give
+  /// `face_patch_map` too, so that no chart has faces of different weights.
+  template <typename K>
+  auto face_weight_map(const K& k) const
+  {
+    return with<internal::face_weight_map_t>(k);
+  }
   /// A model of `ChartSegmentation`.
   template <typename K>
   auto segmentation(const K& k) const
@@ -206,6 +217,7 @@ template <typename K> auto min_chart_texels(const K& k) { return Named_parameter
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
+template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }
 template <typename K> auto segmentation(const K& k) { return Named_parameters<K, internal::segmentation_t>(k); }
 template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
 template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }

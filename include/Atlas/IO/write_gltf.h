@@ -25,15 +25,39 @@
 
 namespace Atlas {
 
+/// Where a glTF file has its textures.
+enum class Gltf_textures {
+  inside, ///< in the file
+  files   ///< in files of their own, named from the folder of the model
+};
+
 namespace internal {
+
+/// A name as part of a URI (RFC 3986): all bytes but those that stand for themselves are written as %XX.
+inline std::string uri_of_name(const std::string& name)
+{
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                          (byte >= '0' && byte <= '9') || c == '-' || c == '.' || c == '_' || c == '~' ||
+                          c == '/';
+    if (is_plain)
+      result += c;
+    else
+      result += {'%', digits[byte >> 4], digits[byte & 15]};
+  }
+  return result;
+}
 
 /// \brief Builds a glTF model with one mesh: one primitive per material and page, all of them with the same
 /// vertices.
 class Gltf_writer
 {
 public:
-  Gltf_writer(const Polygon_soup& soup, const std::vector<std::string>& page_pngs)
-      : soup_(soup), names_pages_(soup.number_of_pages() > 1), split_(split_vertices(soup)),
+  Gltf_writer(const Polygon_soup& soup, const std::vector<std::string>& page_textures, Gltf_textures where)
+      : soup_(soup), names_pages_(soup.number_of_pages() > 1), where_(where), split_(split_vertices(soup)),
         surface_(build_surface(soup.points, soup.first, soup.vertices))
   {
     model_.asset.version = "2.0";
@@ -41,8 +65,8 @@ public:
     model_.buffers.emplace_back();
     fit_into_floats();
     add_attributes();
-    for (const std::string& png : page_pngs)
-      add_texture(png);
+    for (const std::string& texture : page_textures)
+      add_texture(texture);
     add_primitives();
     add_node();
   }
@@ -51,6 +75,7 @@ public:
   {
     std::ostringstream stream(std::ios::binary);
     tinygltf::TinyGLTF writer;
+    writer.SetImageWriter(nullptr, nullptr); // pictures are encoded already
     if (!writer.WriteGltfSceneToStream(&model_, stream, false, true))
       throw IO_error("cannot encode the model as glTF");
     return std::move(stream).str();
@@ -155,17 +180,21 @@ private:
     }
   }
 
-  /// The texture of the next page.
-  void add_texture(const std::string& png)
+  /// The texture of the next page: its bytes, or the name of its file.
+  void add_texture(const std::string& content)
   {
     texture_of_page_.push_back(-1);
-    if (png.empty())
+    if (content.empty())
       return;
     if (model_.samplers.empty())
       add_sampler();
     tinygltf::Image image;
-    image.mimeType = "image/png";
-    image.bufferView = add_view(png.data(), png.size(), 0);
+    if (where_ == Gltf_textures::files) {
+      image.uri = uri_of_name(content);
+    } else {
+      image.mimeType = "image/png";
+      image.bufferView = add_view(content.data(), content.size(), 0);
+    }
     model_.images.push_back(image);
     tinygltf::Texture texture;
     texture.source = static_cast<int>(model_.images.size()) - 1;
@@ -251,6 +280,7 @@ private:
 
   const Polygon_soup& soup_;
   bool names_pages_;
+  Gltf_textures where_;
   Split_vertices split_;
   Surface surface_;
   tinygltf::Model model_;
@@ -262,7 +292,7 @@ private:
 
 } // namespace internal
 
-/// \brief The bytes of a binary glTF 2.0 file (GLB) with the texture inside.
+/// \brief The bytes of a binary glTF 2.0 file (GLB), with the texture inside unless asked otherwise.
 ///
 /// Polygons are triangulated, faces without a shape are left out, vertices are split where corners differ.
 /// Positions are rounded to floats; the coordinates of an atlas are floats already, and turning v upside
@@ -270,11 +300,12 @@ private:
 /// tinygltf.
 ///
 /// glTF has no tiles: of several pages each gets its own texture, materials ("name.1002", by the number of
-/// its UDIM tile) and primitives. \param page_pngs per page the bytes of a PNG file; empty: no texture. One
-/// for all pages if there is only one
-inline std::string glb_bytes(const Polygon_soup& soup, const std::vector<std::string>& page_pngs)
+/// its UDIM tile) and primitives. \param page_textures per page the bytes of a PNG file, or its name; empty:
+/// no texture. One for all pages if there is only one
+inline std::string glb_bytes(const Polygon_soup& soup, const std::vector<std::string>& page_textures,
+                             Gltf_textures where = Gltf_textures::inside)
 {
-  return internal::Gltf_writer(soup, page_pngs).bytes();
+  return internal::Gltf_writer(soup, page_textures, where).bytes();
 }
 
 /// The same with one texture for all pages. \param texture_png the bytes of a PNG file; empty: no texture

@@ -32,8 +32,9 @@ namespace internal {
 class Ply_writer
 {
 public:
-  Ply_writer(const Polygon_soup& soup, const std::string& texture, Ply_texcoord_style style)
-      : soup_(soup), is_wedge_(style == Ply_texcoord_style::wedge)
+  Ply_writer(const Polygon_soup& soup, const std::string& texture, Ply_texcoord_style style, Index pages)
+      : soup_(soup), is_wedge_(style == Ply_texcoord_style::wedge),
+        pages_(std::max(pages, soup.number_of_pages()))
   {
     if (is_wedge_)
       keep_vertices();
@@ -82,9 +83,8 @@ private:
   void write_header(const std::string& texture)
   {
     bytes_ = "ply\nformat binary_little_endian 1.0\ncomment written by Atlas\n";
-    const Index pages = soup_.number_of_pages();
-    for (Index page = 0; !texture.empty() && page < pages; ++page)
-      bytes_ += "comment TextureFile " + page_file_name(texture, page, pages) + '\n';
+    for (Index page = 0; !texture.empty() && page < pages_; ++page)
+      bytes_ += "comment TextureFile " + page_file_name(texture, page, pages_) + '\n';
     bytes_ += "element vertex " + std::to_string(split_.number_of_vertices()) +
               "\nproperty double x\nproperty double y\nproperty double z\n";
     if (has_normals_)
@@ -158,6 +158,7 @@ private:
 
   const Polygon_soup& soup_;
   bool is_wedge_, has_normals_ = false, has_vertex_uv_ = false, has_wedge_uv_ = false;
+  Index pages_;
   Split_vertices split_;
   std::size_t longest_ = 0;
   std::string bytes_;
@@ -167,11 +168,12 @@ private:
 
 /// \brief The bytes of a binary PLY file. Faces keep their order and corners; positions are doubles,
 /// coordinates floats. \param texture the name of the picture, which MeshLab looks for beside the file;
-/// empty: none. Of several pages each has a picture, called `page_file_name()`
+/// empty: none. Of several pages each has a picture, called `page_file_name()` \param pages how many there
+/// are, if there are more than faces are on
 inline std::string ply_bytes(const Polygon_soup& soup, const std::string& texture,
-                             Ply_texcoord_style style = Ply_texcoord_style::wedge)
+                             Ply_texcoord_style style = Ply_texcoord_style::wedge, Index pages = 1)
 {
-  return internal::Ply_writer(soup, texture, style).take();
+  return internal::Ply_writer(soup, texture, style, pages).take();
 }
 
 /// \brief Writes a binary PLY file, whole or not at all. See `ply_bytes()`.

@@ -102,6 +102,7 @@ inline Json to_json(const Atlas_report& report)
           {"number_of_charts", report.charts.size()},
           {"split_charts", report.split_charts},
           {"rejoined_pieces", report.rejoined_pieces},
+          {"stacked_charts", report.stacked_charts},
           {"bound", {{"measure", name(report.bound.measure)}, {"max", report.bound.max}}},
           {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},

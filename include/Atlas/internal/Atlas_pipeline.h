@@ -55,10 +55,7 @@ public:
     if (!(report_.area > 0) || !std::isfinite(report_.area))
       return report_;
     timed(Stage::segmentation, [&] { segment(); });
-    timed(Stage::parameterization, [&] {
-      const double texel = std::sqrt(report_.area / (double(page_.width) * page_.height));
-      flattener_.run(texel, report_.bound);
-    });
+    timed(Stage::parameterization, [&] { flattener_.run(texel(), report_.bound); });
     for (int round = 0; !execution_.is_cancelled(); ++round) {
       timed(Stage::packing, [&] { pack(); });
       std::vector<Index> refused;
@@ -127,24 +124,67 @@ private:
     charts_.clear();
     for (const Flattened_chart& f : flattener_.charts())
       charts_.push_back(f.chart);
-    const Packing packing = packer_.pack(charts_, page_, execution_);
+    if (!surface_.density_weight.empty())
+      page_.weights = chart_weights();
+    packing_ = packer_.pack(charts_, page_, execution_);
     if (execution_.is_cancelled())
       return;
-    report_.pages = packing.number_of_pages;
-    report_.density = packing.density / model_.unit;
+    report_.pages = packing_.number_of_pages;
+    report_.density = packing_.density / model_.unit;
     face_page_.assign(surface_.number_of_faces, 0);
     rounding_faults_.assign(charts_.size(), {});
     execution_.for_each(charts_.size(), [&](std::size_t i) {
       for (Point_2& p : charts_[i].uv) {
-        const Point_2 texel = packing.placements[i](p);
-        p = Point_2(texel.x() / page_.width, texel.y() / page_.height);
+        const Point_2 texel = packing_.placements[i](p);
+        p = turned_over(i, Point_2(texel.x() / page_.width, texel.y() / page_.height));
       }
       rounding_faults_[i] = Grid_rounding(charts_[i])();
       Slit_opener(surface_, segmentation_, charts_[i])();
     });
     for (std::size_t i = 0; i < charts_.size(); ++i)
       for (const Index t : charts_[i].source)
-        face_page_[surface_.face[t]] = packing.placements[i].page;
+        face_page_[surface_.face[t]] = packing_.placements[i].page;
+  }
+
+  /// Charts that lie face down, on a mirror image of theirs, are turned over with the page as long as they
+  /// are worked on. Exact on the grid of rounded coordinates.
+  Point_2 turned_over(std::size_t chart, const Point_2& p) const
+  {
+    return packing_.placements[chart].is_mirrored ? Point_2(1 - p.x(), p.y()) : p;
+  }
+
+  /// The mean weight of each chart's triangles, but no chart is made smaller than about a texel by it.
+  std::vector<double> chart_weights() const
+  {
+    std::vector<double> weights(charts_.size(), 1);
+    execution_.for_each(charts_.size(), [&](std::size_t i) {
+      const Chart& chart = charts_[i];
+      double area = 0, sum = 0;
+      for (std::size_t t = 0; t < chart.source.size(); ++t) {
+        const auto& [a, b, c] = chart.triangles[t];
+        const double share = std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c]));
+        area += share;
+        sum += share * surface_.density_weight[chart.source[t]];
+      }
+      const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
+      const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+      if (area > 0 && extent > 0)
+        weights[i] = std::max(sum / area, std::min(1.0, texel() / extent));
+    });
+    return weights;
+  }
+
+  /// About the side of a texel, in units of the model.
+  double texel() const { return std::sqrt(report_.area / (double(page_.width) * page_.height)); }
+
+  /// The page of each face, where charts that lie on copies of theirs have pages of their own.
+  std::vector<Index> pages_of_layers() const
+  {
+    std::vector<Index> pages = face_page_;
+    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
+      for (const Index t : charts_[i].source)
+        pages[surface_.face[t]] = packing_.placements[i].page + packing_.layers[i] * packing_.number_of_pages;
+    return pages;
   }
 
   /// Writes the coordinates to the corners and proves them. Returns the charts to blame, sorted.
@@ -155,7 +195,8 @@ private:
     options.width = page_.width;
     options.height = page_.height;
     options.gutter = page_.gutter;
-    report_.certificate = certify(surface_, corner_uv_, face_page_, options, execution_);
+    report_.certificate = certify(surface_, corner_uv_, pages_of_layers(), options, execution_);
+    report_.certificate.pages = std::min(report_.certificate.pages, report_.pages);
     std::vector<bool> refused(charts_.size(), false);
     for (std::size_t i = 0; i < charts_.size(); ++i)
       refused[i] = !rounding_faults_[i].empty();
@@ -181,10 +222,13 @@ private:
   {
     const Point_2 nowhere(-1, -1);
     corner_uv_.assign(surface_.number_of_corners, nowhere);
-    for (const Chart& chart : charts_)
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      const Chart& chart = charts_[c];
       for (std::size_t t = 0; t < chart.source.size(); ++t)
         for (Index i = 0; i < 3; ++i)
-          corner_uv_[surface_.corner[3 * chart.source[t] + i]] = chart.uv[chart.triangles[t][i]];
+          corner_uv_[surface_.corner[3 * chart.source[t] + i]] =
+              turned_over(c, chart.uv[chart.triangles[t][i]]);
+    }
     write_idle_corners(nowhere);
   }
 
@@ -229,8 +273,13 @@ private:
     for (const auto& part : measured)
       all.insert(all.end(), part.begin(), part.end());
     report_.distortion = summarize_distortion(all);
-    report_.packing_efficiency =
-        report_.distortion.area_uv / (double(page_.width) * page_.height * double(report_.pages));
+    double covered = report_.distortion.area_uv;
+    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
+      if (packing_.layers[i] > 0) {
+        ++report_.stacked_charts;
+        covered -= report_.charts[i].distortion.area_uv;
+      }
+    report_.packing_efficiency = covered / (double(page_.width) * page_.height * double(report_.pages));
     report_.area *= model_.unit * model_.unit;
     report_.status = report_.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
   }
@@ -246,6 +295,7 @@ private:
   Segmentation segmentation_;
   Chart_flattener<Parameterizer, Optimizer, Validator> flattener_;
   std::vector<Chart> charts_; ///< per chart, on its page, rounded
+  Packing packing_;
   std::vector<std::vector<Index>> rounding_faults_;
   std::vector<Index> face_page_;
   std::vector<Point_2> corner_uv_;

@@ -14,6 +14,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <type_traits>
@@ -128,6 +129,22 @@ void read_patches(Mesh_view<FaceListGraph>& view, FaceMap face_patch)
     view.surface.patch[t] = number.at(get(face_patch, view.faces[view.surface.face[t]]));
 }
 
+template <typename FaceListGraph>
+void read_density_weights(Mesh_view<FaceListGraph>&, Param_not_found)
+{}
+
+template <typename FaceListGraph, typename WeightMap>
+void read_density_weights(Mesh_view<FaceListGraph>& view, WeightMap weight)
+{
+  Surface& surface = view.surface;
+  surface.density_weight.resize(surface.number_of_triangles());
+  for (std::size_t t = 0; t < surface.density_weight.size(); ++t) {
+    surface.density_weight[t] = CGAL::to_double(get(weight, view.faces[surface.face[t]]));
+    CGAL_precondition_msg(surface.density_weight[t] > 0 && std::isfinite(surface.density_weight[t]),
+                          "faces must have a positive weight");
+  }
+}
+
 /// Flattens a mesh into arrays as the pack of named parameters asks.
 template <typename FaceListGraph, typename NamedParameters>
 Mesh_view<FaceListGraph> view_mesh(const FaceListGraph& mesh, const NamedParameters& np)
@@ -144,6 +161,7 @@ Mesh_view<FaceListGraph> view_mesh(const FaceListGraph& mesh, const NamedParamet
                    Edge_constraint::seam);
   read_seam_costs(mesh, view, get_parameter(np, seam_cost_map_t()));
   read_patches(view, get_parameter(np, CGAL::internal_np::face_patch));
+  read_density_weights(view, get_parameter(np, face_weight_map_t()));
   return view;
 }
 

@@ -326,6 +326,9 @@ Packing pack_pages(std::span<const Chart> charts, const Page_options& options, E
     const bool is_locked = i < options.locked.size() && options.locked[i];
     packing.placements[i] = is_locked ? *options.locked[i] : pieces.placement(i, placements);
   }
+  if (options.stacking != Chart_stacking::none)
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      packing.layers.push_back(pieces.layer(i));
   return packing;
 }
 

@@ -122,11 +122,14 @@ public:
     return {a.x * m.weight, a.y * m.weight, t.x + p.x, t.y + p.y, p.page, m.motion.is_mirrored};
   }
 
+  /// How many copies of a chart lie below it.
+  Index layer(std::size_t chart) const { return is_plain_ ? 0 : members_[chart].layer; }
+
 private:
   /// The chart, scaled by its weight and moved, is part of the piece.
   struct Membership
   {
-    Index piece = 0;
+    Index piece = 0, layer = 0;
     double weight = 1;
     Motion_2 motion;
   };
@@ -217,10 +220,13 @@ private:
         ++kept;
       }
     pieces_.resize(kept);
+    std::vector<Index> copies(copy_of.size(), 0);
     for (Membership& m : members_) {
       const auto& [model, motion] = copy_of[m.piece];
-      if (model != no_index)
+      if (model != no_index) {
         m.motion = motion;
+        m.layer = ++copies[model];
+      }
       m.piece = number[model != no_index ? model : m.piece];
     }
   }
