@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Prints the table of the manual: efficiency and time of each packer on the charts of meshes.
 //
-// Usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--pictures PREFIX] FILE.obj...
-// A file with texture coordinates is packed anew as it is; the charts of any other are made by the default
+// Usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--packers NAME,...] [--pictures PREFIX]
+// FILE.obj... Packers are rectangles, horizon, fast, normal and best; all of them unless some are named. A
+// file with texture coordinates is packed anew as it is; the charts of any other are made by the default
 // segmentation and flattening. With --pictures nothing is measured: the page of each packer for the first
 // file, which needs coordinates, becomes PREFIX_rectangles.png, ..., PREFIX_best.png.
 #include <Atlas/IO/draw_atlas.h>
@@ -24,6 +25,8 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,13 +82,36 @@ std::vector<Chart> charts_of_file(const std::string& file, const Execution& exec
   return pack_charts(surface, soup.uv, {}, No_packer(), execution).charts;
 }
 
-/// Packs and prints two columns: efficiency, seconds; a mark where the gutter is not kept.
+using Pack =
+    std::function<Packing(std::span<const Chart>, const Page_options& page, const Execution& execution)>;
+
 template <typename Packer>
-double run(const Packer& packer, const std::vector<Chart>& charts, const Page_options& page,
+Pack pack_by(const Packer& packer)
+{
+  return [packer](auto... arguments) { return packer.pack(arguments...); };
+}
+
+struct Named_packer
+{
+  std::string name;
+  Pack pack;
+};
+
+std::vector<Named_packer> all_packers()
+{
+  return {{"rectangles", pack_by(Rectangle_packer())},
+          {"horizon", pack_by(Horizon_packer())},
+          {"fast", pack_by(Raster_packer(Packing_effort::fast))},
+          {"normal", pack_by(Raster_packer(Packing_effort::normal))},
+          {"best", pack_by(Raster_packer(Packing_effort::best))}};
+}
+
+/// Packs and prints two columns: efficiency, seconds; a mark where the gutter is not kept.
+double run(const Pack& pack, const std::vector<Chart>& charts, const Page_options& page,
            const Execution& execution)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Packing packing = packer.pack(charts, page, execution);
+  const Packing packing = pack(charts, page, execution);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   double area = 0;
   for (const Chart& chart : charts)
@@ -125,27 +151,49 @@ void draw_all(const std::string& file, const std::string& prefix, const Page_opt
   draw_one(Raster_packer(Packing_effort::best), "best");
 }
 
+/// Packer x input, and the means over all files.
+void print_table(const std::vector<std::string>& files, const std::vector<Named_packer>& packers,
+                 const Page_options& page, const Execution& execution)
+{
+  std::printf("%-24s charts", "input");
+  for (const Named_packer& packer : packers)
+    std::printf(" | %-16s", packer.name.c_str());
+  std::vector<double> sums(packers.size(), 0);
+  for (const std::string& file : files) {
+    const std::vector<Chart> charts = charts_of_file(file, execution);
+    std::printf("\n%-24s %6zu", std::filesystem::path(file).stem().string().c_str(), charts.size());
+    for (std::size_t k = 0; k < packers.size(); ++k)
+      sums[k] += run(packers[k].pack, charts, page, execution);
+  }
+  std::printf("\n%-31s", "mean");
+  for (const double sum : sums)
+    std::printf(" | %.3f           ", sum / static_cast<double>(files.size()));
+  std::printf("\n");
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 try {
   Page_options page;
   std::vector<std::string> files;
-  std::string pictures;
+  std::string pictures, names;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--size" && i + 1 < argc)
       page.width = page.height = static_cast<Index>(std::strtoul(argv[++i], nullptr, 10));
     else if (argument == "--gutter" && i + 1 < argc)
       page.gutter = std::strtod(argv[++i], nullptr);
+    else if (argument == "--packers" && i + 1 < argc)
+      names = "," + std::string(argv[++i]) + ",";
     else if (argument == "--pictures" && i + 1 < argc)
       pictures = argv[++i];
     else
       files.push_back(argument);
   }
   if (files.empty()) {
-    std::fprintf(stderr,
-                 "usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--pictures PREFIX] FILE...\n");
+    std::fprintf(stderr, "usage: packing_benchmark [--size TEXELS] [--gutter TEXELS] [--packers NAME,...] "
+                         "[--pictures PREFIX] FILE...\n");
     return 2;
   }
   const Execution execution(0);
@@ -153,23 +201,12 @@ try {
     draw_all(files.front(), pictures, page, execution);
     return 0;
   }
-  std::printf("%-24s charts | rectangles      | horizon         | fast            | normal          | best\n",
-              "input");
-  double sums[5] = {};
-  for (const std::string& file : files) {
-    const std::vector<Chart> charts = charts_of_file(file, execution);
-    std::printf("%-24s %6zu", std::filesystem::path(file).stem().string().c_str(), charts.size());
-    sums[0] += run(Rectangle_packer(), charts, page, execution);
-    sums[1] += run(Horizon_packer(), charts, page, execution);
-    sums[2] += run(Raster_packer(Packing_effort::fast), charts, page, execution);
-    sums[3] += run(Raster_packer(Packing_effort::normal), charts, page, execution);
-    sums[4] += run(Raster_packer(Packing_effort::best), charts, page, execution);
-    std::printf("\n");
-  }
-  std::printf("%-31s", "mean");
-  for (const double sum : sums)
-    std::printf(" | %.3f          ", sum / static_cast<double>(files.size()));
-  std::printf("\n");
+  std::vector<Named_packer> packers = all_packers();
+  if (!names.empty())
+    std::erase_if(packers, [&](const Named_packer& packer) {
+      return names.find("," + packer.name + ",") == std::string::npos;
+    });
+  print_table(files, packers, page, execution);
   return 0;
 } catch (const std::exception& e) {
   std::fprintf(stderr, "packing_benchmark: %s\n", e.what());
