@@ -151,6 +151,21 @@ TEST(Pages, ply_of_both_styles)
   EXPECT_EQ(vertex.face_page, soup.face_page);
 }
 
+TEST(Pages, ply_names_all_of_them_even_if_faces_are_on_one)
+{
+  Polygon_soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.vertices = {0, 1, 2};
+  soup.close_face();
+  soup.uv = {{0, 0}, {1, 0}, {0, 1}};
+  const auto has = [](const std::string& bytes, const char* name) {
+    return bytes.find(std::string("comment TextureFile ") + name + '\n') != std::string::npos;
+  };
+  EXPECT_TRUE(has(ply_bytes(soup, "t.png"), "t.png"));
+  const std::string bytes = ply_bytes(soup, "t.png", Ply_texcoord_style::wedge, 2);
+  EXPECT_TRUE(has(bytes, "t.1001.png") && has(bytes, "t.1002.png"));
+}
+
 TEST(Pages, glb_has_a_texture_and_a_primitive_per_page)
 {
   Polygon_soup soup = squares({2, 0, 1, 0});

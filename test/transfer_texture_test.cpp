@@ -151,7 +151,9 @@ TEST(Read_textures, of_obj_ply_and_glb)
   write_obj(folder / "m.obj", soup, "a b.png");
   write_ply(folder / "m.ply", soup, "a b.png");
   write_glb(folder / "m.glb", soup, png_bytes(image));
-  for (const char* name : {"m.obj", "m.ply", "m.glb"}) {
+  folder.write("50 % \xc3\xbc.png", png_bytes(image));
+  folder.write("files.glb", glb_bytes(soup, {"50 % \xc3\xbc.png"}, Gltf_textures::files));
+  for (const char* name : {"m.obj", "m.ply", "m.glb", "files.glb"}) {
     Polygon_soup back = read_polygon_soup(folder / name);
     const Source_textures source = read_textures(folder / name, back);
     back.old_uv = back.uv;
