@@ -406,4 +406,38 @@ timeout -s INT 1 "$program" big.obj -o out/a.obj >stdout 2>stderr
 [ "$(wc -l <stderr)" -eq 1 ] || fail "an interruption is told in one line: $(cat stderr)"
 files
 
+# So does the end of the time; enough of it is as good as no limit.
+expect 124 1 big.obj -o out/a.obj --time-limit 0.7
+grep -q 'time limit' stderr || fail "no word of the time limit: $(cat stderr)"
+files
+expect 0 0 cube.obj -o out/a.obj --time-limit 600
+files "${all[@]/#/a}"
+expect 2 1 cube.obj -o out/a.obj --time-limit -1
+files
+
+# Faces that disagree which side is outside are turned on request; else they are told of.
+python3 - >mixed.obj <<'MIXED'
+import math, random
+random.seed(5)
+n = 12
+for j in range(n):
+    for i in range(n):
+        print("v", i, j, 2 * math.sin(0.2 * i))
+for j in range(n - 1):
+    for i in range(n - 1):
+        a = j * n + i + 1
+        face = [a, a + 1, a + n + 1, a + n]
+        print("f", *(face if random.random() < 0.7 else face[::-1]))
+MIXED
+charts() { python3 -c 'import json; print(len(json.load(open("out/a.json"))["charts"]))'; }
+expect 0 1 mixed.obj -o out/a.obj
+grep -q -- '--orient' stderr || fail "no hint at --orient: $(cat stderr)"
+[ "$(grep '^f ' out/a.obj | sed 's#/[0-9]*##g')" = "$(grep '^f ' mixed.obj)" ] || fail "faces changed"
+[ "$(charts)" -gt 20 ] || fail "charts run over edges where faces disagree"
+rm out/*
+expect 0 0 mixed.obj -o out/a.obj --orient
+[ "$(charts)" -le 2 ] || fail "$(charts) charts of a sheet that has been oriented"
+[ "$(grep -c '^f ' out/a.obj)" -eq 121 ] || fail "number of faces"
+files "${all[@]/#/a}"
+
 finish

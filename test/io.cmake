@@ -11,6 +11,7 @@ atlas_test(bake_ambient_occlusion_test Atlas_IO)
 atlas_test(transfer_texture_test Atlas_IO)
 atlas_test(pages_test Atlas_IO)
 atlas_test(Joined_soups_test Atlas_IO)
+atlas_test(orient_faces_test)
 # Another library reads what is written.
 find_package(assimp REQUIRED CONFIG)
 atlas_test(assimp_round_trip_test Atlas_IO assimp::assimp)

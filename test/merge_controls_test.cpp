@@ -183,6 +183,25 @@ TEST(MergeControls, MoreOrdersDoNotMakeSeamsLonger)
   }
 }
 
+TEST(MergeControls, NoMoreOrdersThanTheWorkAllows)
+{
+  const Surface s = surface_of(glove());
+  Segmentation start = Variational_segmentation().segment(s, Execution());
+  cut_to_discs(s, start);
+  const auto merged_in = [&](std::size_t orders, std::size_t work) {
+    Merge_options options;
+    options.orders = orders;
+    options.max_work_of_orders = work;
+    Segmentation g = start;
+    merge_charts(s, g, options, Bijective_parameterizer<>(), Identity_optimizer());
+    return std::pair(g.chart, g.cut);
+  };
+  const auto one = merged_in(1, 1'000'000), six = merged_in(6, 1'000'000);
+  ASSERT_NE(one, six);
+  EXPECT_EQ(merged_in(6, 0), one);
+  EXPECT_EQ(merged_in(6, 100'000'000), six);
+}
+
 TEST(MergeControls, AtMostSoManyCharts)
 {
   const Surface s = surface_of(torus(48, 32));

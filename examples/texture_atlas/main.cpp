@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The main job as a program: any polygon mesh in, a textured model out, with pictures and a report.
 #include <Atlas/IO/IO_error.h>
+#include <Atlas/IO/orient_faces.h>
 #include <Atlas/IO/pages.h>
 #include <Atlas/IO/start_polygons_at_fans.h>
 
@@ -35,6 +36,7 @@ enum Exit_code {
   wrong_usage = 2,
   io_failure = 3,
   internal_failure = 4,
+  out_of_time = 124, // as of the command `timeout`
   interrupted = 130
 };
 
@@ -95,6 +97,9 @@ void declare_options(CLI::App& app, Options& options)
       "--keep-uv", options.keeps_uv,
       "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
       "faces without coordinates are flattened. Does not go with options that tell what charts are like");
+  app.add_flag("--orient", options.turns_faces,
+               "Turn faces around first, so that neighbours agree which side is outside, as most of them do. "
+               "Charts never run over an edge where they disagree");
   add_packing_options(app, options);
   app.add_option("--report", options.report,
                  "Where to write the report as JSON, instead of beside the model");
@@ -102,6 +107,9 @@ void declare_options(CLI::App& app, Options& options)
                  "Number of threads; 0 takes all cores. The result does not depend on it")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  app.add_option("--time-limit", options.time_limit,
+                 "Give up after so many seconds, and write nothing. Default: no limit")
+      ->check(CLI::Range(0.0, 1e9));
   app.add_option("--picture", options.picture,
                  "Also write one PNG picture with the page and the model side by side");
   app.add_option(
@@ -119,7 +127,8 @@ void declare_options(CLI::App& app, Options& options)
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
              "wrong command line; 3 for "
-             "a file that\ncannot be read or written; 130 if interrupted. Files appear whole or not at all.");
+             "a file that\ncannot be read or written; 124 if the time limit is over; 130 if interrupted. "
+             "Files appear whole or not at all.");
 }
 
 /// Refuses options that have no meaning with, or without, the coordinates of the file.
@@ -161,12 +170,49 @@ void complete_all(const CLI::App& app, Options& options)
 
 std::atomic<bool> is_interrupted{false};
 
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// How long to go on: until a signal comes, or the time is over.
+class Patience
+{
+public:
+  explicit Patience(double limit) : limit_(limit) {}
+
+  bool is_over() const { return is_interrupted || is_late(); }
+
+  /// Tells why the work ended; returns the exit code.
+  Exit_code say() const
+  {
+    if (is_interrupted)
+      print_error("interrupted; nothing has been written");
+    else
+      print_error("not finished within the time limit; nothing has been written");
+    return is_interrupted ? interrupted : out_of_time;
+  }
+
+private:
+  bool is_late() const { return limit_ > 0 && watch_.seconds() > limit_; }
+
+  double limit_;
+  Stopwatch watch_;
+};
+
 /// One line on stderr that is written over, or a line per stage where it is no terminal.
 class Progress_printer
 {
 public:
-  explicit Progress_printer(const Options& options)
-      : is_terminal_(isatty(STDERR_FILENO) != 0),
+  Progress_printer(const Options& options, const Patience& patience)
+      : patience_(patience), is_terminal_(isatty(STDERR_FILENO) != 0),
         is_shown_((is_terminal_ || options.shows_progress) && !options.is_quiet)
   {}
 
@@ -179,7 +225,7 @@ public:
       std::fprintf(stderr, "%s\n", Atlas::name(stage));
     stage_ = stage;
     percent_ = percent;
-    return !is_interrupted;
+    return !patience_.is_over();
   }
 
   void finish() const
@@ -189,21 +235,10 @@ public:
   }
 
 private:
+  const Patience& patience_;
   bool is_terminal_, is_shown_;
   Atlas::Stage stage_{};
   int percent_ = -1;
-};
-
-class Stopwatch
-{
-public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
@@ -296,41 +331,52 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
                  report.charts.size());
 }
 
-int say_interrupted()
+/// Tells why there may be so many charts.
+void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,
+                        const Atlas::Atlas_report& report)
 {
-  print_error("interrupted; nothing has been written");
-  return interrupted;
+  constexpr std::size_t many_charts = 20;
+  if (options.turns_faces || report.charts.size() < many_charts)
+    return;
+  if (const std::size_t edges = Atlas::disagreeing_edges(model))
+    std::fprintf(
+        stderr,
+        "texture_atlas: at %zu edges two faces disagree which side is outside, and no chart runs over "
+        "these; --orient turns faces\n",
+        edges);
 }
 
 int run(const Options& options)
 {
+  const Patience patience(options.time_limit);
   const Stopwatch reading;
   Input input = read_meshes(options);
   Atlas::Polygon_soup& model = input.models.whole();
   const double seconds_reading = reading.seconds();
 
-  Progress_printer progress(options);
+  Progress_printer progress(options, patience);
   std::vector<Atlas::Point_2> uv;
   const Atlas::Atlas_report report = make_atlas(options, model, input.surface, uv, std::ref(progress));
   progress.finish();
   if (report.status == Atlas::Atlas_status::cancelled)
-    return say_interrupted();
+    return patience.say();
   if (report.status == Atlas::Atlas_status::no_surface) {
     print_error(options.name() + ": " + message(report.status));
     return not_valid;
   }
 
   const Stopwatch writing;
-  const Atlas::Execution execution(options.threads, [](double) { return !is_interrupted; });
+  const Atlas::Execution execution(options.threads, [&](double) { return !patience.is_over(); });
   model.old_uv = std::exchange(model.uv, std::move(uv));
   model.face_page = report.face_page;
   start_polygons_at_fans(input.surface, model);
   const std::vector<std::string> names = write_outputs(options, input, report, execution);
   if (execution.is_cancelled())
-    return say_interrupted();
+    return patience.say();
   if (!options.is_quiet) {
     print_rejected(options, input.models, report);
     print_unfulfilled(options, model, report);
+    print_disagreement(options, model, report);
     print_table(options, model, report);
     print_times(report, seconds_reading, writing.seconds());
     for (std::size_t i = 0; i < names.size(); ++i)

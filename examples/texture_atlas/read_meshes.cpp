@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the program works on.
 #include <Atlas/IO/IO_error.h>
+#include <Atlas/IO/orient_faces.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/read_textures.h>
 #include <Atlas/build_surface.h>
@@ -53,6 +54,8 @@ Input read_meshes(const Options& options)
   std::vector<Atlas::Surface> surfaces;
   for (const std::string& file : options.meshes) {
     soups.push_back(Atlas::read_polygon_soup(file));
+    if (options.turns_faces)
+      Atlas::orient_faces(soups.back());
     surfaces.push_back(Atlas::build_surface(soups.back().points, soups.back().first, soups.back().vertices));
   }
   check_wishes(options, soups);

@@ -28,7 +28,9 @@ struct Options : Packing_options
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;
-  bool keeps_uv = false, separates_materials = false, is_quiet = false, shows_progress = false;
+  bool keeps_uv = false, separates_materials = false, turns_faces = false, is_quiet = false,
+       shows_progress = false;
+  double time_limit = 0; ///< seconds; 0: none
 
   bool has(Bake bake) const;
   /// The meshes, for messages: their files as they were given.

@@ -76,8 +76,8 @@ inline bool usable_corners(const std::vector<Point_3>& points, std::span<const I
 /// \brief Builds the surface of a polygon soup.
 ///
 /// \param points  positions of the vertices
-/// \param first   per polygon, the place in `vertices` where its corners start; one more entry closes the
-/// list \param vertices  the vertices of all corners, polygon by polygon
+/// \param first   per polygon, the place in `vertices` where its corners start; one more entry closes it
+/// \param vertices  the vertices of all corners, polygon by polygon
 ///
 /// Any soup will do: faces that cannot take part are listed in `rejected`. Triangles are adjacent where
 /// exactly two of them run along an edge in opposite directions, by vertex number, else (open meshes whose

@@ -40,6 +40,9 @@ struct Merge_options
   std::size_t batch = 8;
   /// Merging is done in so many orders, 1 to 6, and the shortest seams are taken.
   std::size_t orders = 6;
+  /// But in no more orders than flatten about so many triangles for trial, all together: a bound on the time
+  /// for surfaces of a hundred handles and more, whose charts can hardly be merged.
+  std::size_t max_work_of_orders = 1'000'000;
   /// Merging goes on past the bound until there are at most so many charts, as far as discs, patches and
   /// seams allow; 0: no such wish.
   std::size_t max_charts = 0;

@@ -40,7 +40,7 @@ inline std::vector<double> arc_weights(const Surface& surface, const Chart_arcs&
 }
 
 /// Merges in several orders and returns the merger with the shortest seams of those that come nearest to the
-/// number of charts that is asked for.
+/// number of charts that is asked for. What the first order costs tells how many can be afforded.
 template <typename Merger>
 Merger best_merger(const Merger& unmerged, const Merge_options& options, const Execution& execution)
 {
@@ -50,8 +50,12 @@ Merger best_merger(const Merger& unmerged, const Merge_options& options, const E
                               Merge_order::by_larger_perimeter,
                               Merge_order::by_length,
                               Merge_order::by_smaller_area};
-  std::vector<Merger> mergers(std::clamp<std::size_t>(options.orders, 1, orders.size()), unmerged);
-  execution.for_each(mergers.size(), [&](std::size_t i) { mergers[i].run(orders[i]); });
+  std::vector<Merger> mergers{unmerged};
+  mergers[0].run(orders[0]);
+  const std::size_t affordable = options.max_work_of_orders / std::max<std::size_t>(mergers[0].work(), 1);
+  while (mergers.size() < std::min({options.orders, affordable, orders.size()}))
+    mergers.push_back(unmerged);
+  execution.for_each(mergers.size() - 1, [&](std::size_t i) { mergers[i + 1].run(orders[i + 1]); });
   const auto score = [&](const Merger& m) {
     const std::size_t charts = m.number_of_charts();
     return std::pair(options.max_charts > 0 ? std::max(charts, options.max_charts) : 0, m.seam_length());

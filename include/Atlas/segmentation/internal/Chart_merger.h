@@ -74,6 +74,8 @@ public:
     return sum;
   }
   std::size_t number_of_charts() const { return number_of_charts_; }
+  /// Triangles flattened for trial, those of accepted trials among them.
+  std::size_t work() const { return work_; }
 
   Index chart_of(Index chart) { return roots_.find(chart); }
   bool is_glued(Index arc) const { return is_glued_[arc] != 0; }
@@ -514,9 +516,13 @@ private:
 
   void attempt_all(std::vector<Candidate>& batch)
   {
-    for (const Candidate& c : batch)
+    for (const Candidate& c : batch) {
       for (const Index s : c.run)
         is_on_trial_[s / 2] = 1;
+      work_ += parts_[c.part].triangles.size();
+      if (c.part != c.other)
+        work_ += parts_[c.other].triangles.size();
+    }
     execution_.for_each(batch.size(), [&](std::size_t i) { attempt(batch[i]); });
     for (const Candidate& c : batch)
       for (const Index s : c.run)
@@ -637,7 +643,7 @@ private:
   std::priority_queue<Entry> queue_;
   double whole_area_ = 0;
   Index remaining_side_ = no_index;
-  std::size_t number_of_charts_ = 0;
+  std::size_t number_of_charts_ = 0, work_ = 0;
   Merge_order order_ = Merge_order::by_union;
   double past_bound_ = 1; ///< how many times the distortion beyond 1 may exceed that of the bound
 };
