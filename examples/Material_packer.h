@@ -28,8 +28,6 @@ struct Material_rules
 {
   std::vector<std::string> weights; ///< "NAME=FACTOR"
   std::vector<std::string> grouped, locked;
-
-  bool empty() const { return weights.empty() && grouped.empty() && locked.empty(); }
 };
 
 /// "NAME=FACTOR"; names may have an equals sign in them.
@@ -79,11 +77,24 @@ inline std::vector<Material_rule> rules_of(const Material_rules& rules, const At
   return result;
 }
 
+/// Gives faces the weights of their materials.
+inline void set_weights(const Material_rules& rules, const Atlas::Polygon_soup& model,
+                        Atlas::Surface& surface)
+{
+  if (rules.weights.empty())
+    return;
+  const std::vector<Material_rule> rule = rules_of(rules, model);
+  for (const Atlas::Index face : surface.face) {
+    const Atlas::Index material = model.face_material.empty() ? Atlas::no_index : model.face_material[face];
+    surface.density_weight.push_back(material == Atlas::no_index ? 1 : rule[material].weight);
+  }
+}
+
 /// \brief The default packer under rules for materials; a chart has the material of its first face.
 ///
 /// Grouped and locked charts have the places of the file's coordinates, whatever has been done to their size
-/// and place since. Charts that have another shape than in the file are as free as all others. Weights that
-/// the page options have prevail. Models `ChartPacker`.
+/// and place since. Charts that have another shape than in the file are as free as all others. For
+/// weights see `set_weights()`. Models `ChartPacker`.
 class Material_packer
 {
 public:
@@ -91,8 +102,8 @@ public:
   /// model are those of the file.
   Material_packer(const Atlas::Surface& surface, const Atlas::Polygon_soup& model,
                   const Material_rules& rules, Atlas::Packing_effort effort)
-      : surface_(&surface), model_(&model), rules_(rules_of(rules, model)), is_plain_(rules.empty()),
-        packer_(effort)
+      : surface_(&surface), model_(&model), rules_(rules_of(rules, model)),
+        is_plain_(rules.grouped.empty() && rules.locked.empty()), packer_(effort)
   {}
 
   Atlas::Packing pack(std::span<const Atlas::Chart> charts, const Atlas::Page_options& options,
@@ -101,8 +112,6 @@ public:
     if (is_plain_)
       return packer_.pack(charts, options, execution);
     Atlas::Page_options page = options;
-    const bool has_weights = !page.weights.empty();
-    page.weights.resize(charts.size(), 1);
     page.groups.assign(charts.size(), Atlas::no_index);
     page.locked.assign(charts.size(), std::nullopt);
     std::vector<Atlas::Chart> moved(charts.begin(), charts.end());
@@ -113,8 +122,6 @@ public:
       if (material == Atlas::no_index)
         continue;
       const Material_rule& rule = rules_[material];
-      if (!has_weights)
-        page.weights[c] = rule.weight;
       const std::optional<Similarity> in_file =
           rule.is_grouped || rule.is_locked ? place_in_file(charts[c]) : std::nullopt;
       if (in_file && rule.is_locked) {

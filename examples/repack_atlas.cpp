@@ -58,7 +58,8 @@ int run(const Arguments& arguments)
   Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
   if (soup.uv.empty())
     throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
-  const Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
+  Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
+  set_weights(arguments.materials, soup, surface);
   const Material_packer packer(surface, soup, arguments.materials, arguments.effort);
   const Atlas::Repacked_charts repacked =
       Atlas::pack_charts(surface, soup.uv, arguments.page, packer, execution);

@@ -2,6 +2,8 @@
 // What pages are asked for, through the whole pipeline: weights of faces, stacked copies, several meshes.
 #include <Atlas/generate_atlas.h>
 #include <Atlas/join_surfaces.h>
+#include <Atlas/pack_charts.h>
+#include <Atlas/packing/Horizon_packer.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -98,6 +100,26 @@ TEST(FaceWeights, NoChartVanishes)
   EXPECT_TRUE(r.report.is_valid());
   EXPECT_GT(r.sides[4], 0.25);
   EXPECT_LT(r.sides[4], 2);
+}
+
+TEST(FaceWeights, HoldForChartsThatExist)
+{
+  Mesh mesh;
+  add_row(mesh, 2, Point_3(0, 0, 0));
+  const auto other = add_row(mesh, 1, Point_3(0, 0, 1));
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+  for (const auto h : mesh.halfedges())
+    uv[h] = Point_2(mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y());
+  const auto weight = mesh.add_property_map<Mesh::Face_index, double>("f:weight", 2).first;
+  weight[other[0]] = 6;
+  const Packing packing =
+      pack_charts(mesh, uv, parameters::texture_size(128).packer(Horizon_packer()).face_weight_map(weight));
+  ASSERT_EQ(packing.number_of_pages, 1u);
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const double side = 128 * std::sqrt(CGAL::squared_distance(uv[h], uv[mesh.next(h)]));
+    EXPECT_NEAR(side, weight[f] * packing.density, 1e-6 * side);
+  }
 }
 
 /// A right triangle with sides 2 and 1, or its mirror image, in some place.

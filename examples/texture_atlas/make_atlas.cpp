@@ -36,16 +36,6 @@ void separate_materials(const Atlas::Polygon_soup& model, Atlas::Surface& surfac
     surface.patch[t] = model.face_material.empty() ? 0 : model.face_material[surface.face[t]] + 1;
 }
 
-/// Faces have the weights of their materials.
-void set_weights(const Options& options, const Atlas::Polygon_soup& model, Atlas::Surface& surface)
-{
-  const std::vector<Material_rule> rules = rules_of(options.materials, model);
-  for (const Atlas::Index face : surface.face) {
-    const Atlas::Index material = model.face_material.empty() ? Atlas::no_index : model.face_material[face];
-    surface.density_weight.push_back(material == Atlas::no_index ? 1 : rules[material].weight);
-  }
-}
-
 /// Faces of the same weight become patches: no chart has faces of two weights.
 void separate_weights(Atlas::Surface& surface)
 {
@@ -72,8 +62,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
                           .packer(Material_packer(surface, model, options.materials, options.effort))
                           .number_of_threads(options.threads)
                           .progress(progress);
-  if (!options.materials.weights.empty())
-    set_weights(options, model, surface);
+  set_weights(options.materials, model, surface);
   if (options.keeps_uv) {
     Atlas::constrain_to_uv(surface, model.uv);
     const Atlas::Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);

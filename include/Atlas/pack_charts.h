@@ -32,8 +32,8 @@ namespace Atlas {
 ///              coordinates that are not finite are left as they are. Out: in [0, 1]^2 of the face's page,
 ///              origin bottom left.
 /// \param np    `texture_size`, `gutter`, `page_options` (lists in it count charts by their first faces),
-///              `packer` (default `Raster_packer`), `number_of_threads`; outputs: `face_chart_map`,
-///              `face_page_map`; CGAL's `vertex_point_map`, `vertex_index_map`
+///              `packer` (default `Raster_packer`), `face_weight_map`, `number_of_threads`; outputs:
+///              `face_chart_map`, `face_page_map`; CGAL's `vertex_point_map`, `vertex_index_map`
 ///
 /// Gives the packing: a placement for every chart. Charts that are folded or overlap themselves are packed
 /// as they are. Where there is no room at all, `number_of_pages` is 0 and coordinates are left alone.

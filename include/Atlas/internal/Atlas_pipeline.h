@@ -6,6 +6,7 @@
 #include <Atlas/concepts.h>
 #include <Atlas/internal/Chart_flattener.h>
 #include <Atlas/internal/Slit_opener.h>
+#include <Atlas/internal/mean_weight.h>
 #include <Atlas/internal/normalize.h>
 #include <Atlas/internal/round_coordinates.h>
 #include <Atlas/measure/area.h>
@@ -159,17 +160,11 @@ private:
     std::vector<double> weights(charts_.size(), 1);
     execution_.for_each(charts_.size(), [&](std::size_t i) {
       const Chart& chart = charts_[i];
-      double area = 0, sum = 0;
-      for (std::size_t t = 0; t < chart.source.size(); ++t) {
-        const auto& [a, b, c] = chart.triangles[t];
-        const double share = std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c]));
-        area += share;
-        sum += share * surface_.density_weight[chart.source[t]];
-      }
       const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
       const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-      if (area > 0 && extent > 0)
-        weights[i] = std::max(sum / area, std::min(1.0, texel() / extent));
+      weights[i] = mean_weight(surface_, chart);
+      if (extent > 0)
+        weights[i] = std::max(weights[i], std::min(1.0, texel() / extent));
     });
     return weights;
   }

@@ -6,6 +6,7 @@
 #include <Atlas/Surface.h>
 #include <Atlas/concepts.h>
 #include <Atlas/extract_charts.h>
+#include <Atlas/internal/mean_weight.h>
 #include <Atlas/packing/Raster_packer.h>
 
 #include <cmath>
@@ -64,12 +65,12 @@ inline Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2
 ///
 /// \param uv  per corner of the input: its coordinates; not finite where there are none
 ///
-/// Charts keep their relative sizes, but for `page.weights`; overlapping or folded charts are packed as they
-/// are. Charts are numbered in the order of their first triangles. Where there is no room at all, the packing
-/// has no page and coordinates are left alone.
+/// Charts keep their relative sizes, but for `page.weights`, or else the weights of the surface; overlapping
+/// or folded charts are packed as they are. Charts are numbered in the order of their first triangles. Where
+/// there is no room at all, the packing has no page and coordinates are left alone.
 template <ChartPacker Packer = Raster_packer>
 Repacked_charts pack_charts(const Surface& surface, std::span<const Point_2> uv,
-                            const Page_options& page = {}, const Packer& packer = Packer(),
+                            const Page_options& options = {}, const Packer& packer = Packer(),
                             const Execution& execution = Execution())
 {
   Repacked_charts result;
@@ -89,6 +90,10 @@ Repacked_charts pack_charts(const Surface& surface, std::span<const Point_2> uv,
         chart.uv[chart.triangles[t][i]] = uv[surface.corner[3 * list[t] + i]];
     result.charts.push_back(std::move(chart));
   }
+  Page_options page = options;
+  if (page.weights.empty() && !surface.density_weight.empty())
+    for (const Chart& chart : result.charts)
+      page.weights.push_back(internal::mean_weight(surface, chart));
   result.packing = packer.pack(result.charts, page, execution);
   if (result.packing.number_of_pages == 0)
     return result;
