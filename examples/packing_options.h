@@ -49,7 +49,10 @@ inline void add_page_options(CLI::App& app, Packing_options& options)
                  "Least distance between two charts in texels; half of it to the border of the page")
       ->check(CLI::Range(0.0, 16384.0))
       ->capture_default_str();
-  app.add_option("--pages", page.pages, "Number of pages that may be filled")
+  app.add_option(
+         "--pages", page.pages,
+         "Number of pages that may be filled. Of several each has its textures; coordinates are UDIM tiles "
+         "(.obj) or materials (.glb)")
       ->check(CLI::Range(1, 8999))
       ->capture_default_str();
   app.add_option("--density", page.density,
