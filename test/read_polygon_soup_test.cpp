@@ -119,6 +119,7 @@ TEST(Read_obj, lines_may_end_and_go_on_in_any_way)
        {plain, plain + "\n", std::string("\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),
         std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"),
         std::string("\t v  0\t0 +0 # v\n\n v 1 0 \\\n 0\nv 0 1 0\nf 1\\\r\n 2\\\n 3"),
+        std::string("v 0 0 0#v\nv 1 0 0\nv 0 1 0 # v\nf 1 2 3#f"),
         std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 \\")}) {
     const Polygon_soup soup = read_text("a.obj", text);
     EXPECT_EQ(soup.points, corner_points) << text;
@@ -171,7 +172,8 @@ TEST(Read_obj, errors_name_the_line)
 
 TEST(Read_off, reads_all_kinds_of_vertices)
 {
-  const Polygon_soup plain = read_text("a.off", "OFF\n# c\n3 1 0\n0 0 0\n1 0 0\n\n0 1 0\n3 0 1 2 255 0 0\n");
+  const Polygon_soup plain =
+      read_text("a.off", "OFF\n# c\n3 1 0\n0 0 0#c\n1 0 0 # c\n\n0 1 0\n3 0 1 2 255 0 0#red\n");
   EXPECT_EQ(plain.points, corner_points);
   EXPECT_EQ(faces_of(plain), one_triangle);
   const Polygon_soup full =

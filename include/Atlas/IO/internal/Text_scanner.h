@@ -133,7 +133,7 @@ public:
       value = std::strtod(std::string(begin, p).c_str(), nullptr);
     else if (error != std::errc())
       fail(std::string(what) + " is not a number: " + quoted(token()));
-    if (p != end_ && !is_blank(*p))
+    if (p != end_ && !ends_number(*p))
       fail(std::string(what) + " is not a number: " + quoted(token()));
     cursor_ = p;
     return value;
@@ -156,7 +156,7 @@ public:
       fail(std::string(what) + " is missing");
     const char* const begin = cursor_;
     long long value = 0;
-    if (!integer_here(value) || (cursor_ != end_ && !is_blank(*cursor_))) {
+    if (!integer_here(value) || !at_token_end()) {
       cursor_ = begin;
       fail(std::string(what) + " is not an integer: " + quoted(token()));
     }
@@ -172,8 +172,8 @@ public:
     return true;
   }
 
-  /// Whether the cursor is between two tokens.
-  bool at_token_end() const { return cursor_ == end_ || is_blank(*cursor_); }
+  /// Whether the cursor is behind a token that is a number, or several.
+  bool at_token_end() const { return cursor_ == end_ || ends_number(*cursor_); }
 
   [[noreturn]] void fail(const std::string& message) const
   {
@@ -185,6 +185,9 @@ public:
 
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+  /// A comment may follow a number without a blank; a name may have a `#` in it.
+  bool ends_number(char c) const { return is_blank(c) || (c == '#' && options_ & hash_comments); }
 
   void take_physical_line()
   {
