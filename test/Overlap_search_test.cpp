@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace Atlas::internal {
 namespace {
@@ -38,6 +39,33 @@ TEST(Coarse_shape, clusters_hold_every_disc_once_and_lie_around_it)
     }
 }
 
+TEST(Coarse_shape, slopes_are_those_of_its_distances)
+{
+  for (const test::Chart_family family : test::all_chart_families)
+    for (const Coarse_shape& shape : coarse_shapes(test::random_charts(family, 6, 3))) {
+      if (!(shape.radius > 0))
+        continue; // a point: its grid is finer than the differences
+      std::mt19937 random(1);
+      std::uniform_real_distribution<float> coordinate(static_cast<float>(-1.5 * shape.radius),
+                                                       static_cast<float>(1.5 * shape.radius));
+      constexpr float h = 0x1p-13f;
+      int inside = 0, wrong = 0;
+      for (int k = 0; k < 400; ++k) {
+        const float x = coordinate(random), y = coordinate(random);
+        const Coarse_shape::Slope slope = shape.slope(x, y);
+        EXPECT_NEAR(slope.distance, shape.distance(x, y), 1e-6);
+        if (slope.x == 0 && slope.y == 0)
+          continue;
+        ++inside;
+        const float dx = (shape.distance(x + h, y) - shape.distance(x - h, y)) / (2 * h);
+        const float dy = (shape.distance(x, y + h) - shape.distance(x, y - h)) / (2 * h);
+        wrong += std::abs(dx - slope.x) > 0.02f || std::abs(dy - slope.y) > 0.02f;
+      }
+      EXPECT_GT(inside, 40);
+      EXPECT_LE(wrong, inside / 10); // those at the sides of cells
+    }
+}
+
 /// Four unit squares on a page of side 2.1 in any arrangement, at first all in the middle.
 Shape_layout pile(double scale)
 {
@@ -67,6 +95,20 @@ TEST(Overlap_search, spreads_what_has_room_and_tells_what_has_none)
 
   layout = pile(130);
   EXPECT_GT(search.solve(layout, 10, search.work() + 100'000'000), 0);
+}
+
+TEST(Overlap_search, goes_down_the_slope_of_overlaps)
+{
+  // The squares cover nearly all of the page: only upright ones fit, and trying at random takes long.
+  const auto shapes = coarse_shapes(four_squares());
+  std::uint64_t work = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Overlap_search search(shapes, {210, 210, 0, 0}, seed);
+    Shape_layout layout = pile(104);
+    search.solve(layout, 40, 20'000'000);
+    work += search.work();
+  }
+  EXPECT_LT(work, 17'000'000u);
 }
 
 } // namespace

@@ -46,6 +46,27 @@ struct Coarse_shape
     return interpolated(cx, cy) + std::sqrt((gx - cx) * (gx - cx) + (gy - cy) * (gy - cy)) / nodes_per_unit_;
   }
 
+  /// A distance and how it changes along x and y.
+  struct Slope
+  {
+    float distance, x, y;
+  };
+
+  /// The distance and its slope, which is given as 0 outside the grid.
+  Slope slope(float x, float y) const
+  {
+    const float gx = (x - left_) * nodes_per_unit_, gy = (y - bottom_) * nodes_per_unit_;
+    if (!(gx >= 0 && gy >= 0 && gx < right_limit_ && gy < top_limit_))
+      return {distance(x, y), 0, 0};
+    const int ix = static_cast<int>(gx), iy = static_cast<int>(gy);
+    const float fx = gx - static_cast<float>(ix), fy = gy - static_cast<float>(iy);
+    const float* d = distance_.data() + iy * nx_ + ix;
+    const float bottom = d[1] - d[0], top = d[nx_ + 1] - d[nx_];
+    const float low = d[0] + fx * bottom, high = d[nx_] + fx * top;
+    return {low + fy * (high - low), nodes_per_unit_ * (bottom + fy * (top - bottom)),
+            nodes_per_unit_ * (high - low)};
+  }
+
   /// The extent in the direction of angle `turns`, a fraction of a full turn.
   double extent(double turns) const
   {

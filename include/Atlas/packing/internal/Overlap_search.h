@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -46,7 +47,7 @@ public:
   {
     scale_ = layout.scale;
     for (Index i = 0; i < poses_.size(); ++i)
-      poses_[i] = confined(i, {layout.positions[i], layout.turns[i]});
+      poses_[i] = confined(i, {layout.positions[i], layout.turns[i], angle_of(layout.turns[i])});
     std::fill(weights_.begin(), weights_.end(), 1.0f);
     double least = update_weights();
     std::vector<Pose> best = poses_;
@@ -71,7 +72,23 @@ private:
   struct Pose
   {
     Vec2 position, turn;
+    double angle; ///< of the turn, as a share of a full one
   };
+  /// How one shape lies in the frame of another, in their unit: turned by (c, s), then moved by (x, y).
+  struct Relation
+  {
+    float x, y, c, s;
+  };
+  /// The weighted overlap of a shape, and how it changes with its place and with its turn, per radian.
+  struct Gradient
+  {
+    double loss = 0;
+    Vec2 shift;
+    double turn = 0;
+  };
+
+  static Vec2 turn_by(double angle) { return {std::cos(2 * M_PI * angle), std::sin(2 * M_PI * angle)}; }
+  static double angle_of(Vec2 turn) { return std::atan2(turn.y, turn.x) / (2 * M_PI); }
 
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
@@ -79,7 +96,7 @@ private:
   Pose confined(Index i, Pose pose) const
   {
     const Coarse_shape& shape = (*shapes_)[i];
-    const double angle = std::atan2(pose.turn.y, pose.turn.x) / (2 * M_PI), b = options_.border;
+    const double angle = pose.angle, b = options_.border;
     const auto fit = [&](double x, double low, double high, double size) {
       const double l = b + scale_ * low, h = size - b - scale_ * high;
       return l <= h ? std::clamp(x, l, h) : 0.5 * (l + h);
@@ -90,38 +107,116 @@ private:
     return pose;
   }
 
+  float gutter() const { return static_cast<float>(options_.gutter / scale_); }
+
+  /// How shape i, at a pose, lies in the frame of shape j; nothing if they are too far apart to overlap.
+  std::optional<Relation> relation(Index i, const Pose& pose, Index j)
+  {
+    const Pose& other = poses_[j];
+    const Vec2 between = pose.position - other.position;
+    const double reach = ((*shapes_)[i].radius + (*shapes_)[j].radius) * scale_ + options_.gutter;
+    ++work_;
+    if (dot(between, between) >= reach * reach)
+      return std::nullopt;
+    const Vec2 back{other.turn.x, -other.turn.y};
+    const Vec2 shift = rotated((1 / scale_) * back, between), turn = rotated(back, pose.turn);
+    return Relation{static_cast<float>(shift.x), static_cast<float>(shift.y), static_cast<float>(turn.x),
+                    static_cast<float>(turn.y)};
+  }
+
+  /// Calls `f(disc, x, y)` for the discs of shape i that may be in shape j, with their places relative to the
+  /// centre of shape i in the frame of shape j, until `f` returns false.
+  template <typename F>
+  void for_each_disc_near(Index i, Index j, const Relation& r, F f)
+  {
+    const Coarse_shape &a = (*shapes_)[i], &b = (*shapes_)[j];
+    const float wanted = gutter();
+    for (const Coarse_shape::Cluster& cluster : a.clusters) {
+      work_ += 5;
+      if (b.distance(r.x + r.c * cluster.x - r.s * cluster.y, r.y + r.s * cluster.x + r.c * cluster.y) >
+          cluster.radius + wanted)
+        continue;
+      work_ += 5 * (cluster.end - cluster.begin);
+      bool goes_on = true;
+      for (std::size_t k = cluster.begin; k < cluster.end; ++k) {
+        const Coarse_shape::Disc& disc = a.discs[k];
+        goes_on = f(disc, r.c * disc.x - r.s * disc.y, r.s * disc.x + r.c * disc.y);
+      }
+      if (!goes_on)
+        return;
+    }
+  }
+
   /// How deep the discs of shape i, at a pose, are in shape j; gives up beyond `limit`.
   float depth(Index i, const Pose& pose, Index j, float limit)
   {
-    const Coarse_shape &a = (*shapes_)[i], &b = (*shapes_)[j];
-    const Pose& other = poses_[j];
-    const Vec2 between = pose.position - other.position;
-    const double reach = (a.radius + b.radius) * scale_ + options_.gutter;
-    ++work_;
-    if (dot(between, between) >= reach * reach)
+    const std::optional<Relation> r = relation(i, pose, j);
+    if (!r)
       return 0;
-    const Vec2 back{other.turn.x, -other.turn.y};
-    const Vec2 shift = rotated((1 / scale_) * back, between), turn = rotated(back, pose.turn);
-    const float sx = static_cast<float>(shift.x), sy = static_cast<float>(shift.y),
-                c = static_cast<float>(turn.x), s = static_cast<float>(turn.y),
-                gutter = static_cast<float>(options_.gutter / scale_);
-    const auto distance = [&](float x, float y) {
-      return b.distance(sx + c * x - s * y, sy + s * x + c * y);
-    };
+    const Coarse_shape& b = (*shapes_)[j];
+    const float wanted = gutter();
     float sum = 0;
-    for (const Coarse_shape::Cluster& cluster : a.clusters) {
-      if (sum >= limit)
-        return sum;
-      work_ += 5;
-      if (distance(cluster.x, cluster.y) > cluster.radius + gutter)
-        continue;
-      work_ += 5 * (cluster.end - cluster.begin);
-      for (std::size_t k = cluster.begin; k < cluster.end; ++k) {
-        const Coarse_shape::Disc& disc = a.discs[k];
-        const float d = disc.radius + gutter - distance(disc.x, disc.y);
-        if (d > 0)
-          sum += disc.weight * d;
+    for_each_disc_near(i, j, *r, [&](const Coarse_shape::Disc& disc, float x, float y) {
+      if (const float d = disc.radius + wanted - b.distance(r->x + x, r->y + y); d > 0)
+        sum += disc.weight * d;
+      return sum < limit;
+    });
+    return sum;
+  }
+
+  /// Adds the weighted overlap of shape i, at a pose, with shape j.
+  void add_gradient(Index i, const Pose& pose, Index j, Gradient& gradient)
+  {
+    const std::optional<Relation> r = relation(i, pose, j);
+    if (!r)
+      return;
+    const Coarse_shape& b = (*shapes_)[j];
+    const float wanted = gutter();
+    float sum = 0, dx = 0, dy = 0, turn = 0;
+    for_each_disc_near(i, j, *r, [&](const Coarse_shape::Disc& disc, float x, float y) {
+      const Coarse_shape::Slope at = b.slope(r->x + x, r->y + y);
+      if (const float d = disc.radius + wanted - at.distance; d > 0) {
+        sum += disc.weight * d;
+        dx -= disc.weight * at.x;
+        dy -= disc.weight * at.y;
+        turn -= disc.weight * (x * at.y - y * at.x);
       }
+      return true;
+    });
+    const double w = weights_[i * poses_.size() + j];
+    gradient.loss += w * sum;
+    gradient.shift = gradient.shift + (w / scale_) * rotated(poses_[j].turn, {dx, dy});
+    gradient.turn += w * turn;
+  }
+
+  Gradient gradient(Index i, const Pose& pose)
+  {
+    Gradient result;
+    for (Index j = 0; j < poses_.size(); ++j)
+      if (j != i)
+        add_gradient(i, pose, j, result);
+    return result;
+  }
+
+  /// The part of the weighted overlap that the largest disc of shape i has. Most poses tried are as bad by
+  /// it.
+  float core_loss(Index i, const Pose& pose)
+  {
+    const std::size_t n = poses_.size();
+    const Coarse_shape::Disc& disc = (*shapes_)[i].discs.front();
+    const Vec2 centre = pose.position + scale_ * rotated(pose.turn, {disc.x, disc.y});
+    const float wanted = disc.radius + gutter();
+    float sum = 0;
+    work_ += 5 * n;
+    for (Index j = 0; j < n; ++j) {
+      const Coarse_shape& other = (*shapes_)[j];
+      const Vec2 p = (1 / scale_) * (centre - poses_[j].position), turn = poses_[j].turn;
+      const double reach = other.radius + wanted;
+      if (j == i || dot(p, p) >= reach * reach)
+        continue;
+      const Vec2 q = rotated({turn.x, -turn.y}, p);
+      if (const float d = wanted - other.distance(static_cast<float>(q.x), static_cast<float>(q.y)); d > 0)
+        sum += weights_[i * n + j] * disc.weight * d;
     }
     return sum;
   }
@@ -130,6 +225,8 @@ private:
   float loss(Index i, const Pose& pose, float limit)
   {
     const std::size_t n = poses_.size();
+    if (limit < HUGE_VALF && core_loss(i, pose) >= limit)
+      return limit;
     float sum = 0;
     for (Index j = 0; j < n && sum < limit; ++j)
       if (j != i)
@@ -139,25 +236,26 @@ private:
 
   Pose random_pose(Index i)
   {
-    Pose pose{{uniform() * options_.width, uniform() * options_.height}, random_turn()};
+    Pose pose{{uniform() * options_.width, uniform() * options_.height}, {}, 0};
+    if (options_.turns.empty()) {
+      pose.angle = uniform();
+      pose.turn = turn_by(pose.angle);
+    } else {
+      pose.turn = options_.turns[random_() % options_.turns.size()];
+      pose.angle = angle_of(pose.turn);
+    }
     return confined(i, pose);
   }
 
-  Vec2 random_turn()
+  /// A pose at most half the radius of the shape away, and half a radian.
+  Pose nearby(Index i, const Pose& pose)
   {
-    if (!options_.turns.empty())
-      return options_.turns[random_() % options_.turns.size()];
-    const double angle = 2 * M_PI * uniform();
-    return {std::cos(angle), std::sin(angle)};
-  }
-
-  Pose nearby(Index i, const Pose& pose, double reach, double angle)
-  {
+    const double reach = 0.5 * (*shapes_)[i].radius * scale_;
     Pose next = pose;
     next.position = next.position + reach * Vec2{2 * uniform() - 1, 2 * uniform() - 1};
     if (options_.turns.empty()) {
-      const double a = angle * (2 * uniform() - 1);
-      next.turn = rotated({std::cos(a), std::sin(a)}, next.turn);
+      next.angle += 0.08 * (2 * uniform() - 1);
+      next.turn = turn_by(next.angle);
     }
     return confined(i, next);
   }
@@ -176,9 +274,8 @@ private:
       } else if (l < second.first)
         second = {l, pose};
     };
-    const double reach = 0.5 * (*shapes_)[i].radius * scale_;
     for (int k = 0; k < 12 && best.first > 0; ++k)
-      offer(nearby(i, poses_[i], reach, 0.5));
+      offer(nearby(i, poses_[i]));
     for (int k = 0; k < 48 && best.first > 0; ++k)
       offer(random_pose(i));
     refine(i, best);
@@ -190,21 +287,34 @@ private:
     poses_[i] = best.second;
   }
 
-  /// Descends from a pose in ever smaller random steps.
+  /// Descends from a pose: each step would end the overlap if that went on to change as it does there (Polyak
+  /// 1969); steps are shorter after one that gained nothing.
   void refine(Index i, std::pair<float, Pose>& best)
   {
-    const double size = std::max(options_.width, options_.height);
-    double reach = 0.06 * size;
-    for (int failures = 0; best.first > 0 && reach > 0.002 * size;) {
-      const Pose pose = nearby(i, best.second, reach, reach / ((*shapes_)[i].radius * scale_ + reach));
-      const float l = loss(i, pose, best.first);
-      if (l < best.first) {
-        best = {l, pose};
-        failures = 0;
-      } else if (++failures == 5) {
-        reach *= 0.5;
-        failures = 0;
+    const double arm = 0.7 * (*shapes_)[i].radius * scale_; // turning by a radian is as far as moving by that
+    const double longest = 0.06 * std::max(options_.width, options_.height);
+    double share = 1;
+    Gradient at = gradient(i, best.second);
+    for (int k = 0; k < 8 && best.first > 0 && share > 0.1; ++k) {
+      const double turn = options_.turns.empty() ? at.turn / arm : 0;
+      const double square = dot(at.shift, at.shift) + turn * turn;
+      if (!(square > 0))
+        return;
+      const double step = share * std::min(at.loss / square, longest / std::sqrt(square));
+      Pose pose = best.second;
+      pose.position = pose.position - step * at.shift;
+      if (options_.turns.empty()) {
+        pose.angle -= step * turn / (2 * M_PI * arm);
+        pose.turn = turn_by(pose.angle);
       }
+      pose = confined(i, pose);
+      const Gradient next = gradient(i, pose);
+      if (next.loss < best.first) {
+        best = {static_cast<float>(next.loss), pose};
+        at = next;
+        share = std::min(1.0, 1.5 * share);
+      } else
+        share *= 0.5;
     }
   }
 
