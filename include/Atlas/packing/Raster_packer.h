@@ -59,10 +59,10 @@ private:
       result.max_charts = max_charts_of_fast_search;
       break;
     case Packing_effort::normal:
-      result.rounds = 4;
+      result.rounds = 5;
       break;
     case Packing_effort::best:
-      result.rounds = 36;
+      result.rounds = 48;
       break;
     }
     return result;
