@@ -8,6 +8,7 @@
 #include <Atlas/packing/pack_charts.h>
 
 #include "packing_checks.h"
+#include "short_raster_packer.h"
 #include <cstdlib>
 #include <functional>
 #include <set>
@@ -35,24 +36,6 @@ void expect_no_faults(unsigned share, const std::function<std::string(unsigned)>
                     << faults[i];
   EXPECT_EQ(shown, 0) << "of " << faults.size();
 }
-
-/// The search of `Raster_packer` with little time.
-struct Short_raster_packer
-{
-  unsigned rounds = 1;
-
-  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
-  {
-    internal::Search_budget budget;
-    budget.searches = 2;
-    budget.round = 400'000;
-    budget.rounds = rounds;
-    const auto layout = [&](const auto& outlines, const auto& one, double most_scale, const auto& e) {
-      return internal::raster_layout(outlines, one, budget, most_scale, e);
-    };
-    return internal::pack_pages(charts, page, layout, execution);
-  }
-};
 
 std::string faults_of(const Packing_case& c, const Packing& packing)
 {

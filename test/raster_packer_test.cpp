@@ -4,6 +4,7 @@
 #include <Atlas/packing/pack_charts.h>
 #include <Atlas/packing/packing_clearance.h>
 
+#include "short_raster_packer.h"
 #include "test_charts.h"
 #include "test_meshes.h"
 
@@ -60,20 +61,6 @@ TEST(Raster_packer, is_monotone_in_effort_and_the_same_for_any_number_of_threads
             1.25 * efficiency(charts, Horizon_packer().pack(charts, page, Execution(1)), page));
 }
 
-/// The search of `Raster_packer` with little time.
-Packing short_search(const std::vector<Chart>& charts, const Page_options& page, unsigned rounds,
-                     unsigned threads)
-{
-  internal::Search_budget budget;
-  budget.searches = 2;
-  budget.round = 400'000;
-  budget.rounds = rounds;
-  const auto layout = [&](const auto& outlines, const auto& one, double most_scale, const auto& execution) {
-    return internal::raster_layout(outlines, one, budget, most_scale, execution);
-  };
-  return internal::pack_pages(charts, page, layout, Execution(threads));
-}
-
 TEST(Raster_packer, keeps_every_chart_and_the_gutter_on_many_sets)
 {
   double sum[2] = {};
@@ -82,8 +69,8 @@ TEST(Raster_packer, keeps_every_chart_and_the_gutter_on_many_sets)
       SCOPED_TRACE("family " + std::to_string(int(family)) + " seed " + std::to_string(seed));
       const std::vector<Chart> charts = random_charts(family, 100 + seed, 1 + seed % 7);
       const Page_options page{seed % 2 ? 128u : 100u, seed % 3 ? 128u : 60u, 1.0 + seed % 3};
-      const Packing less = short_search(charts, page, 1, 1),
-                    more = short_search(charts, page, 3, 1 + seed % 5);
+      const Packing less = Short_raster_packer{1}.pack(charts, page, Execution(1)),
+                    more = Short_raster_packer{3}.pack(charts, page, Execution(1 + seed % 5));
       ASSERT_EQ(more.placements.size(), charts.size());
       for (const Placement& p : more.placements)
         EXPECT_NEAR(std::hypot(p.a, p.b), more.density, 1e-9 * more.density);
@@ -94,7 +81,7 @@ TEST(Raster_packer, keeps_every_chart_and_the_gutter_on_many_sets)
       sum[0] += less.density / less.density;
       sum[1] += more.density / less.density;
       if (seed % 5 == 4) {
-        const Packing again = short_search(charts, page, 3, 2);
+        const Packing again = Short_raster_packer{3}.pack(charts, page, Execution(2));
         for (std::size_t i = 0; i < charts.size(); ++i)
           EXPECT_TRUE(again.placements[i].a == more.placements[i].a &&
                       again.placements[i].x == more.placements[i].x);
@@ -128,12 +115,12 @@ TEST(Page_options, turns_charts_only_as_allowed)
   const std::vector<Chart> charts = random_charts(Chart_family::blobs, 4, 15);
   Page_options page = page_of(256);
   page.rotation = Chart_rotation::none;
-  Packing packing = short_search(charts, page, 1, 1);
+  Packing packing = Short_raster_packer{1}.pack(charts, page, Execution(1));
   for (const Placement& p : packing.placements)
     EXPECT_TRUE(p.b == 0 && p.a > 0);
   expect_clear(charts, packing, page, 2);
   page.rotation = Chart_rotation::quarter_turns;
-  packing = short_search(charts, page, 1, 1);
+  packing = Short_raster_packer{1}.pack(charts, page, Execution(1));
   for (const Placement& p : packing.placements)
     EXPECT_TRUE(p.a == 0 || p.b == 0);
   expect_clear(charts, packing, page, 2);
@@ -144,10 +131,10 @@ TEST(Page_options, widens_the_gutter_for_mip_levels_and_blocks)
   const std::vector<Chart> charts = random_charts(Chart_family::blobs, 5, 8);
   Page_options page = page_of(256);
   page.mip_levels = 3;
-  expect_clear(charts, short_search(charts, page, 1, 1), page, 8);
+  expect_clear(charts, Short_raster_packer{1}.pack(charts, page, Execution(1)), page, 8);
   page.mip_levels = 0;
   page.block = 4;
-  expect_clear(charts, short_search(charts, page, 1, 1), page, 4 * std::sqrt(2));
+  expect_clear(charts, Short_raster_packer{1}.pack(charts, page, Execution(1)), page, 4 * std::sqrt(2));
 }
 
 TEST(Page_options, fills_as_many_pages_as_a_density_takes)
@@ -155,7 +142,7 @@ TEST(Page_options, fills_as_many_pages_as_a_density_takes)
   const std::vector<Chart> charts = random_charts(Chart_family::blobs, 6, 30);
   Page_options page = page_of(128);
   page.density = 36;
-  const Packing packing = short_search(charts, page, 1, 1);
+  const Packing packing = Short_raster_packer{1}.pack(charts, page, Execution(1));
   EXPECT_NEAR(packing.density, 36, 1e-9);
   EXPECT_GT(packing.number_of_pages, 2u);
   expect_clear(charts, packing, page, 2);
@@ -177,9 +164,9 @@ TEST(Page_options, spreads_charts_over_several_pages)
 {
   const std::vector<Chart> charts = random_charts(Chart_family::blobs, 7, 20);
   Page_options page = page_of(128);
-  const Packing one = short_search(charts, page, 1, 1);
+  const Packing one = Short_raster_packer{1}.pack(charts, page, Execution(1));
   page.pages = 4;
-  const Packing four = short_search(charts, page, 1, 1);
+  const Packing four = Short_raster_packer{1}.pack(charts, page, Execution(1));
   EXPECT_EQ(four.number_of_pages, 4u);
   EXPECT_GT(four.density, 1.5 * one.density);
   for (const Placement& p : four.placements)
@@ -195,7 +182,7 @@ TEST(Page_options, weighs_densities)
   const std::vector<Chart> charts(4, rectangle_chart(1, 2));
   Page_options page = page_of(128);
   page.weights = {1, 2, 0.5, 1};
-  const Packing packing = short_search(charts, page, 1, 1);
+  const Packing packing = Short_raster_packer{1}.pack(charts, page, Execution(1));
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(std::hypot(packing.placements[i].a, packing.placements[i].b),
                 packing.density * page.weights[i], 1e-9 * packing.density);
@@ -209,7 +196,7 @@ TEST(Page_options, moves_groups_as_one)
     p = Point_2(p.x() + 3, p.y());
   Page_options page = page_of(256);
   page.groups = {7, 7, no_index, no_index, no_index, no_index};
-  const Packing packing = short_search(charts, page, 1, 1);
+  const Packing packing = Short_raster_packer{1}.pack(charts, page, Execution(1));
   EXPECT_EQ(packing.placements[0].a, packing.placements[1].a);
   EXPECT_EQ(packing.placements[0].x, packing.placements[1].x);
   EXPECT_NE(packing.placements[0].x, packing.placements[2].x);
