@@ -185,37 +185,59 @@ private:
       if (is_current)
         return;
     }
-    std::vector<std::pair<double, Index>> by_left;
-    for (Index i = 0; i < n; ++i)
-      by_left.emplace_back(layout_.positions[i].x - reach(i) - skin(i), i);
-    std::sort(by_left.begin(), by_left.end());
+    const std::vector<std::pair<Index, Index>> near = near_shapes();
     std::vector<Pair> pairs;
-    for (std::size_t a = 0; a < n; ++a) {
-      const Index i = by_left[a].second;
-      const double right = layout_.positions[i].x + reach(i) + skin(i);
-      for (std::size_t b = a + 1; b < n && by_left[b].first <= right; ++b) {
-        const Index j = by_left[b].second;
-        const Vec2 d = layout_.positions[i] - layout_.positions[j];
-        const double r = reach(i) + reach(j) + skin(i) + skin(j);
-        if (dot(d, d) <= r * r)
-          pairs.push_back({std::min(i, j), std::max(i, j)});
-      }
+    pairs.reserve(near.size());
+    std::size_t known = 0;
+    for (const auto& [i, j] : near) { // keep what is known
+      while (known < pairs_.size() && std::pair(pairs_[known].i, pairs_[known].j) < std::pair(i, j))
+        ++known;
+      if (known < pairs_.size() && pairs_[known].i == i && pairs_[known].j == j)
+        pairs.push_back(std::move(pairs_[known++]));
+      else
+        pairs.push_back({i, j});
     }
     work_ += 20 * pairs.size() + 20 * n;
-    const auto less = [](const Pair& p, const Pair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; };
-    std::sort(pairs.begin(), pairs.end(), less);
-    for (std::size_t a = 0, b = 0; a < pairs.size() && b < pairs_.size();) { // keep what is known
-      if (less(pairs[a], pairs_[b]))
-        ++a;
-      else if (less(pairs_[b], pairs[a]))
-        ++b;
-      else
-        pairs[a++] = std::move(pairs_[b++]);
-    }
     pairs_ = std::move(pairs);
     reference_ = travel_;
   }
   double skin(Index i) const { return 0.1 * reach(i); }
+
+  /// The pairs whose circles with skin meet, in order: sweeps to the right, in horizontal strips of about the
+  /// height of a shape. A pair is found in the lowest strip that has both. Near-linear unless most shapes are
+  /// much larger than the others.
+  std::vector<std::pair<Index, Index>> near_shapes() const
+  {
+    const auto n = static_cast<Index>(layout_.positions.size());
+    const auto radius = [&](Index i) { return reach(i) + skin(i); };
+    const double strips = std::ceil(std::sqrt(n)), per_texel = strips / options_.height;
+    const auto strip_at = [&](double y) {
+      return static_cast<Index>(std::clamp(y * per_texel, 0.0, strips - 1));
+    };
+    const auto lowest = [&](Index i) { return strip_at(layout_.positions[i].y - radius(i)); };
+    std::vector<std::vector<std::pair<double, Index>>> by_left(static_cast<std::size_t>(strips));
+    for (Index i = 0; i < n; ++i)
+      for (Index k = lowest(i); k <= strip_at(layout_.positions[i].y + radius(i)); ++k)
+        by_left[k].emplace_back(layout_.positions[i].x - radius(i), i);
+    std::vector<std::pair<Index, Index>> result;
+    for (Index k = 0; k < by_left.size(); ++k) {
+      std::vector<std::pair<double, Index>>& strip = by_left[k];
+      std::sort(strip.begin(), strip.end());
+      for (std::size_t a = 0; a < strip.size(); ++a) {
+        const Index i = strip[a].second;
+        const double right = layout_.positions[i].x + radius(i);
+        for (std::size_t b = a + 1; b < strip.size() && strip[b].first <= right; ++b) {
+          const Index j = strip[b].second;
+          const Vec2 d = layout_.positions[i] - layout_.positions[j];
+          const double r = radius(i) + radius(j);
+          if (dot(d, d) <= r * r && std::max(lowest(i), lowest(j)) == k)
+            result.emplace_back(std::min(i, j), std::max(i, j));
+        }
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
 
   /// How shape a lies in the frame of shape b.
   struct Relation

@@ -29,6 +29,12 @@ struct Search_budget
   {
     return round * std::min<std::size_t>(shapes + 1, 6) / 6;
   }
+
+  /// Of thousands of shapes half the searches and rounds: one step of a search moves them all, and takes as
+  /// long as many rounds of others.
+  unsigned searches_for(std::size_t shapes) const { return shapes > many_shapes ? searches / 2 : searches; }
+  unsigned rounds_for(std::size_t shapes) const { return shapes > many_shapes ? (rounds + 1) / 2 : rounds; }
+  static constexpr std::size_t many_shapes = 2000;
 };
 
 /// Up to that many shapes look for places by their overlaps; beyond, overlaps of all pairs are too many.
@@ -65,7 +71,7 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Page_opti
   resolution.spacing = side / 256 / scale;
   resolution.cell = side / 512 / scale;
   resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
-  resolution.cells_per_chart = problem.outlines.size() > 2000 ? 12 : 20;
+  resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
   problem.shapes.resize(problem.outlines.size());
   execution.for_each(problem.shapes.size(), [&](std::size_t i) {
     problem.shapes[i] = packing_shape(*problem.outlines[i], resolution, problem.may_turn);
@@ -96,15 +102,16 @@ inline Shape_layout search_layout(const Packing_problem& problem, const Search_b
 {
   const std::size_t n = problem.shapes.size();
   std::vector<Packing_search> searches;
-  for (unsigned k = 0; k < budget.searches; ++k)
+  for (unsigned k = 0; k < budget.searches_for(n); ++k)
     searches.emplace_back(problem, k);
   const auto best = [&] {
     return std::max_element(searches.begin(), searches.end(),
                             [](const auto& a, const auto& b) { return a.best().scale < b.best().scale; });
   };
   execution.for_each(searches.size(), [&](std::size_t k) { searches[k].start(execution); });
-  for (unsigned r = 0; r < budget.rounds && best()->best().scale < most_scale; ++r) {
-    if (!execution.proceed((r + 1.0) / (budget.rounds + 1)))
+  const unsigned rounds = budget.rounds_for(n);
+  for (unsigned r = 0; r < rounds && best()->best().scale < most_scale; ++r) {
+    if (!execution.proceed((r + 1.0) / (rounds + 1)))
       break;
     execution.for_each(searches.size(), [&](std::size_t k) {
       const std::uint64_t limit = searches[k].work() + budget.round_for(n);
