@@ -2,7 +2,7 @@
 // Faces of mixed orientation.
 #include <Atlas/IO/orient_faces.h>
 
-#include "test_meshes.h"
+#include "baked_soups.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
@@ -12,17 +12,6 @@
 
 namespace Atlas {
 namespace {
-
-Polygon_soup soup_of(const test::Soup& shape)
-{
-  Polygon_soup soup;
-  soup.points = shape.points;
-  for (const auto& polygon : shape.polygons) {
-    soup.vertices.insert(soup.vertices.end(), polygon.begin(), polygon.end());
-    soup.close_face();
-  }
-  return soup;
-}
 
 /// Turns some faces around, each with the given chance.
 std::vector<Index> shuffle(Polygon_soup& soup, double chance)
@@ -52,7 +41,7 @@ std::size_t repeated_edges(const Polygon_soup& soup)
 TEST(Orient_faces, gives_back_what_was_turned)
 {
   for (const double chance : {0.0, 0.2, 0.4}) {
-    Polygon_soup soup = soup_of(test::sphere(3));
+    Polygon_soup soup = test::polygon_soup_of(test::sphere(3));
     const Polygon_soup before = soup;
     const std::vector<Index> turned = shuffle(soup, chance);
     EXPECT_EQ(turned.empty(), chance == 0);
@@ -71,10 +60,10 @@ TEST(Orient_faces, gives_back_what_was_turned)
 
 TEST(Orient_faces, the_majority_of_each_part_wins)
 {
-  Polygon_soup soup = soup_of(test::sphere(2));
+  Polygon_soup soup = test::polygon_soup_of(test::sphere(2));
   const auto half = soup.number_of_faces();
   const auto points = static_cast<Index>(soup.points.size());
-  const Polygon_soup other = soup_of(test::torus(9, 7));
+  const Polygon_soup other = test::polygon_soup_of(test::torus(9, 7));
   for (const Point_3& p : other.points)
     soup.points.push_back(p + Vector_3(5, 0, 0));
   for (std::size_t f = 0; f < other.number_of_faces(); ++f) {

@@ -8,6 +8,7 @@
 #include <Atlas/IO/write_obj.h>
 #include <Atlas/Surface.h>
 #include <Atlas/build_surface.h>
+#include <Atlas/internal/bounding_box.h>
 
 #include <algorithm>
 #include <array>
@@ -86,21 +87,11 @@ private:
   /// moved and scaled, and their node undoes it.
   void fit_into_floats()
   {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (const auto& triangle : surface_.triangles)
-      for (const Index v : triangle)
-        for (int k = 0; k < 3; ++k) {
-          low[k] = std::min(low[k], surface_.points[v][k]);
-          high[k] = std::max(high[k], surface_.points[v][k]);
-        }
-    double half = 0, farthest = 0;
-    for (int k = 0; k < 3; ++k) {
-      half = std::max(half, high[k] / 2 - low[k] / 2);
-      farthest = std::max(farthest, std::abs(low[k] / 2 + high[k] / 2));
-    }
-    if (half > 0 && farthest > 4 * half)
-      for (int k = 0; k < 3; ++k)
-        center_[k] = low[k] / 2 + high[k] / 2;
+    const internal::Bounding_box box = internal::bounding_box(surface_);
+    const double half = box.half_side;
+    const auto [x, y, z] = box.center;
+    if (half > 0 && std::max({std::abs(x), std::abs(y), std::abs(z)}) > 4 * half)
+      center_ = box.center;
     if (half > 1e18 || (half > 0 && half < 1e-18))
       scale_ = std::ldexp(1.0, std::ilogb(half));
   }

@@ -3,8 +3,8 @@
 #define ATLAS_INTERNAL_NORMALIZE_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/bounding_box.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,25 +21,16 @@ struct Normalization
 /// coordinates overflows or loses digits that the input has.
 inline Normalization normalize(Surface& surface)
 {
-  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-  for (const auto& triangle : surface.triangles)
-    for (const Index v : triangle)
-      for (int i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], surface.points[v][i]);
-        high[i] = std::max(high[i], surface.points[v][i]);
-      }
-  double extent = 0;
-  for (int i = 0; i < 3; ++i)
-    extent = std::max(extent, high[i] / 2 - low[i] / 2);
-  if (!(extent > 0) || !std::isfinite(extent))
+  const Bounding_box box = bounding_box(surface);
+  if (!(box.half_side > 0) || !std::isfinite(box.half_side))
     return {};
-  const int exponent = std::ilogb(extent);
+  const int exponent = std::ilogb(box.half_side);
   const auto coordinate = [&](const Point_3& p, int i) {
-    return std::ldexp(p[i], -exponent) - std::ldexp(low[i] / 2 + high[i] / 2, -exponent);
+    return std::ldexp(p[i], -exponent) - std::ldexp(box.center[i], -exponent);
   };
   for (Point_3& p : surface.points)
     p = Point_3(coordinate(p, 0), coordinate(p, 1), coordinate(p, 2));
-  return {std::ldexp(1.0, exponent), std::ldexp(2 * extent, -exponent)};
+  return {std::ldexp(1.0, exponent), std::ldexp(2 * box.half_side, -exponent)};
 }
 
 /// The positions in units of `largest_side`, on a grid that is finer than what matters to charts, but far

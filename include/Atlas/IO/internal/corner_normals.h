@@ -3,6 +3,7 @@
 #define ATLAS_IO_INTERNAL_CORNER_NORMALS_H
 
 #include <Atlas/Surface.h>
+#include <Atlas/internal/bounding_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,19 +23,9 @@ struct Normalized_points
 /// Moves the middle of the bounding box of the triangles to the origin and the farthest vertex to distance 1.
 inline Normalized_points normalized_points(const Surface& surface)
 {
-  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-  for (const auto& triangle : surface.triangles)
-    for (const Index v : triangle)
-      for (int k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], surface.points[v][k]);
-        high[k] = std::max(high[k], surface.points[v][k]);
-      }
-  // Halves first: the sum and the difference of large numbers may overflow.
-  const double half =
-      std::max({high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2, high[2] / 2 - low[2] / 2});
-  const auto centered = [&](const Point_3& p, int k) {
-    return half > 0 ? (p[k] - (low[k] / 2 + high[k] / 2)) / half : 0;
-  };
+  const Bounding_box box = bounding_box(surface);
+  const double half = box.half_side;
+  const auto centered = [&](const Point_3& p, int k) { return half > 0 ? (p[k] - box.center[k]) / half : 0; };
   std::vector<Point_3> points;
   points.reserve(surface.points.size());
   for (const Point_3& p : surface.points)
