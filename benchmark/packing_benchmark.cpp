@@ -6,17 +6,17 @@
 // file with texture coordinates is packed anew as it is; the charts of any other are made by the default
 // segmentation and flattening. With --pictures nothing is measured: the page of each packer for the first
 // file, which needs coordinates, becomes PREFIX_rectangles.png, ..., PREFIX_best.png.
-#include <Atlas/IO/draw_atlas.h>
 #include <Atlas/IO/read_obj.h>
-#include <Atlas/IO/write_png.h>
-#include <Atlas/build_surface.h>
-#include <Atlas/default_policies.h>
-#include <Atlas/extract_charts.h>
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/write_png.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/packing/pack_charts.h>
 #include <Atlas/packing/packing_clearance.h>
+#include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 
 #include <chrono>

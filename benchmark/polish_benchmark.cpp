@@ -4,8 +4,8 @@
 // default finish.
 //
 // Usage: polish_benchmark CHART.obj   (a disc, such as the paper's cow head)
-#include <Atlas/build_surface.h>
-#include <Atlas/extract_charts.h>
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/Spectral_parameterizer.h>

@@ -1,25 +1,44 @@
 # SPDX-License-Identifier: MIT
-# Checks the include lines of the headers below INCLUDE_DIR: core headers (all but OPTIONAL) include Atlas, CGAL,
-# Boost, Eigen, TBB, the C++ standard library and the compiler's own intrinsics, nothing else; rooms do not include each other.
+# Checks the include lines of the headers below INCLUDE_DIR, internal ones too: a header includes only headers of its
+# own room and of rooms before it in layers.cmake, and headers of the core rooms (all but OPTIONAL) nothing but Atlas,
+# CGAL, Boost, Eigen, TBB, the C++ standard library and the compiler's own intrinsics.
 cmake_minimum_required(VERSION 3.22)
-set(rooms segmentation parameterization validation packing)
+include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE_DIR} ${INCLUDE_DIR}/Atlas/*.h)
 list(LENGTH headers count)
 if(count EQUAL 0)
   message(FATAL_ERROR "no headers in ${INCLUDE_DIR}")
 endif()
+
+# Sets RESULT to the place of a header's room in the order of layers.
+function(atlas_layer header result)
+  string(REGEX MATCH "^Atlas/([^/]*)/" room ${header})
+  set(room ${CMAKE_MATCH_1})
+  if(NOT room)
+    set(room front)
+  endif()
+  list(FIND ATLAS_LAYERS ${room} place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${header}: the room ${room} is not in layers.cmake")
+  endif()
+  set(${result} ${place} PARENT_SCOPE)
+endfunction()
+
 set(faults)
 foreach(header IN LISTS headers)
   file(STRINGS ${INCLUDE_DIR}/${header} lines REGEX "^#[ \t]*include")
-  string(REGEX REPLACE "^Atlas/([^/]*)/.*" "\\1" room ${header})
+  atlas_layer(${header} layer)
+  list(GET ATLAS_LAYERS ${layer} room)
   foreach(line IN LISTS lines)
-    if(NOT header IN_LIST OPTIONAL AND NOT line MATCHES "<((Atlas|CGAL|boost|Eigen|tbb)/.*|[a-z_]+|immintrin.h)>")
+    if(room IN_LIST ATLAS_CORE_LAYERS AND NOT header IN_LIST OPTIONAL
+       AND NOT line MATCHES "<((Atlas|CGAL|boost|Eigen|tbb)/.*|[a-z_]+|immintrin.h)>")
       list(APPEND faults "${header}: ${line}")
     endif()
-    if(room IN_LIST rooms AND line MATCHES "<Atlas/([a-z]+)/")
-      set(other ${CMAKE_MATCH_1})
-      if(other IN_LIST rooms AND NOT other STREQUAL room)
-        list(APPEND faults "${header} belongs to the room ${room}: ${line}")
+    if(line MATCHES "<(Atlas/[^>]+)>")
+      set(included ${CMAKE_MATCH_1})
+      atlas_layer(${included} other)
+      if(other GREATER layer)
+        list(APPEND faults "${header} is above ${included}")
       endif()
     endif()
   endforeach()

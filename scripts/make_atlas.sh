@@ -52,4 +52,4 @@ case " $* " in
     ;;
 esac
 say "texture_atlas $mesh ${results[*]} $*"
-exec "$atlas_root/build/example/examples/texture_atlas" "$mesh" "${results[@]}" "$@"
+exec "$atlas_root/build/example/bin/texture_atlas" "$mesh" "${results[@]}" "$@"

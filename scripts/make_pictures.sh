@@ -17,7 +17,7 @@ small() {
 
 for mesh in bunny00 camel; do
   tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz "data/meshes/$mesh.off" >"$folder/$mesh.off"
-  "$atlas_root/build/example/examples/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
+  "$atlas_root/build/example/bin/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
     --picture "$folder/$mesh.png" >&2
 done
 small "$folder/bunny00.png" bunny.png 1400
@@ -32,7 +32,7 @@ awk 'NF == 0 { next }
      line > 2 && line <= n + 2 { r = 0.5 + 0.5 * sin(90 * $2); g = 0.5 + 0.5 * sin(70 * $1 + 50 * $3); b = 0.5 + 0.5 * cos(60 * $2)
                              printf "%s %s %s %d %d %d 255\n", $1, $2, $3, 255 * r, 90 + 160 * g, 255 * b; next }
      { print }' "$folder/bunny00.off" >"$folder/colored.off"
-"$atlas_root/build/example/examples/texture_atlas" "$folder/colored.off" -o "$folder/colored.obj" \
+"$atlas_root/build/example/bin/texture_atlas" "$folder/colored.off" -o "$folder/colored.obj" \
   --bake colors --bake normals --bake occlusion >&2
 for name in color normal occlusion view; do
   pngtopnm "$folder/colored_$name.png" | pnmscale -xsize 480 -ysize 480 >"$folder/$name.pnm"
@@ -41,7 +41,7 @@ pnmcat -lr "$folder"/{color,normal,occlusion,view}.pnm | pnmquant 255 | pnmtopng
 # The pages of four packers for the same charts, side by side: rectangles, horizon, fast, best.
 build benchmark packing_benchmark
 tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz data/meshes/dino.off >"$folder/dino.off"
-"$atlas_root/build/example/examples/texture_atlas" "$folder/dino.off" -o "$folder/dino.obj" >&2
+"$atlas_root/build/example/bin/texture_atlas" "$folder/dino.off" -o "$folder/dino.obj" >&2
 "$atlas_root/build/benchmark/benchmark/packing_benchmark" --pictures "$folder/packer" "$folder/dino.obj"
 for packer in rectangles horizon fast best; do
   pngtopnm "$folder/packer_$packer.png" >"$folder/packer_$packer.ppm"
@@ -51,7 +51,7 @@ small "$folder/packers.png" packers.png 1400
 # The steps of segmentation as in the paper's figures 4 to 6: features, distance to seeds, distance to features and
 # charts of the bunny; the legs of the camel, rolled, and its feet, socks; a ribbon that winds over itself.
 build example segmentation_steps
-steps="$atlas_root/build/example/examples/segmentation_steps"
+steps="$atlas_root/build/example/bin/segmentation_steps"
 # row OUT WIDTH PICTURES...: side by side, in all their colours.
 row() {
   local out=$1 width=$2 name

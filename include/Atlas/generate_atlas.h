@@ -2,14 +2,14 @@
 #ifndef ATLAS_GENERATE_ATLAS_H
 #define ATLAS_GENERATE_ATLAS_H
 
-#include <Atlas/Atlas_report.h>
-#include <Atlas/concepts.h>
-#include <Atlas/constrain_hard_edges.h>
-#include <Atlas/default_policies.h>
-#include <Atlas/internal/Atlas_pipeline.h>
-#include <Atlas/internal/Mesh_view.h>
-#include <Atlas/internal/page_options.h>
-#include <Atlas/parameters.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/constrain_hard_edges.h>
+#include <Atlas/core/internal/Mesh_arrays.h>
+#include <Atlas/core/internal/page_options.h>
+#include <Atlas/core/parameters.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/internal/Atlas_pipeline.h>
+#include <Atlas/pipeline/presets.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -134,7 +134,7 @@ generate_atlas(const FaceListGraph& mesh, HalfedgeUVMap uv,
   using CGAL::parameters::get_parameter;
   using UV_point = typename boost::property_traits<HalfedgeUVMap>::value_type;
 
-  const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
+  const internal::Mesh_arrays<FaceListGraph> view = internal::mesh_arrays(mesh, np);
   std::vector<Point_2> corner_uv;
   Atlas_report report =
       internal::run_pipeline(view.surface, corner_uv, np, [&](const Segmentation& segmentation) {

@@ -2,12 +2,12 @@
 #ifndef ATLAS_PACK_CHARTS_H
 #define ATLAS_PACK_CHARTS_H
 
-#include <Atlas/concepts.h>
-#include <Atlas/internal/Mesh_view.h>
-#include <Atlas/internal/page_options.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/internal/Mesh_arrays.h>
+#include <Atlas/core/internal/page_options.h>
+#include <Atlas/core/parameters.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/pack_charts.h>
-#include <Atlas/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -45,7 +45,7 @@ Packing pack_charts(const FaceListGraph& mesh, HalfedgeUVMap uv,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
+  const internal::Mesh_arrays<FaceListGraph> view = internal::mesh_arrays(mesh, np);
   const std::vector<Point_2> corner_uv = internal::read_corner_uv(view, uv);
   const auto packer = choose_parameter(get_parameter(np, internal::packer_t()), Raster_packer());
   static_assert(ChartPacker<std::remove_cvref_t<decltype(packer)>>, "the packer must model ChartPacker");

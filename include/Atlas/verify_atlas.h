@@ -2,9 +2,9 @@
 #ifndef ATLAS_VERIFY_ATLAS_H
 #define ATLAS_VERIFY_ATLAS_H
 
-#include <Atlas/internal/Mesh_view.h>
-#include <Atlas/internal/page_options.h>
-#include <Atlas/parameters.h>
+#include <Atlas/core/internal/Mesh_arrays.h>
+#include <Atlas/core/internal/page_options.h>
+#include <Atlas/core/parameters.h>
 #include <Atlas/validation/certify.h>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ verify_atlas(const FaceListGraph& mesh, HalfedgeUVMap uv,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const internal::Mesh_view<FaceListGraph> view = internal::view_mesh(mesh, np);
+  const internal::Mesh_arrays<FaceListGraph> view = internal::mesh_arrays(mesh, np);
   const std::vector<Point_2> corner_uv = internal::read_corner_uv(view, uv);
   const Page_options page = internal::page_options(np, Page_options{.gutter = 0});
   Certificate_options options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/IO/checkerboard.h>
-#include <Atlas/IO/write_png.h>
 #include <Atlas/generate_atlas.h>
+#include <Atlas/image/checkerboard.h>
+#include <Atlas/image/write_png.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>

@@ -2,7 +2,7 @@
 // Any bytes as a mesh file: either a soup that keeps its promises, or an IO_error of one line.
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_obj.h>
-#include <Atlas/build_surface.h>
+#include <Atlas/core/build_surface.h>
 
 #include <cstddef>
 #include <cstdint>

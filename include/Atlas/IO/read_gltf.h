@@ -2,8 +2,8 @@
 #ifndef ATLAS_IO_READ_GLTF_H
 #define ATLAS_IO_READ_GLTF_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Text_scanner.h>
+#include <Atlas/image/internal/Text_scanner.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <Eigen/Dense>
 

@@ -2,9 +2,9 @@
 #ifndef ATLAS_IO_READ_PLY_H
 #define ATLAS_IO_READ_PLY_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Binary_scanner.h>
-#include <Atlas/IO/internal/Text_scanner.h>
+#include <Atlas/image/internal/Binary_scanner.h>
+#include <Atlas/image/internal/Text_scanner.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <array>
 #include <bit>

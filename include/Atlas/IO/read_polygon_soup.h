@@ -2,12 +2,12 @@
 #ifndef ATLAS_IO_READ_POLYGON_SOUP_H
 #define ATLAS_IO_READ_POLYGON_SOUP_H
 
-#include <Atlas/IO/Polygon_soup.h>
 #include <Atlas/IO/read_gltf.h>
 #include <Atlas/IO/read_obj.h>
 #include <Atlas/IO/read_off.h>
 #include <Atlas/IO/read_ply.h>
 #include <Atlas/IO/read_stl.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <algorithm>
 #include <cctype>

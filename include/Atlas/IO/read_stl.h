@@ -2,10 +2,10 @@
 #ifndef ATLAS_IO_READ_STL_H
 #define ATLAS_IO_READ_STL_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Binary_scanner.h>
-#include <Atlas/IO/internal/Text_scanner.h>
-#include <Atlas/IO/internal/index_uv.h>
+#include <Atlas/image/internal/Binary_scanner.h>
+#include <Atlas/image/internal/Text_scanner.h>
+#include <Atlas/soup/Polygon_soup.h>
+#include <Atlas/soup/internal/index_uv.h>
 
 #include <bit>
 #include <cstddef>

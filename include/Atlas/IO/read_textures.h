@@ -2,13 +2,13 @@
 #ifndef ATLAS_IO_READ_TEXTURES_H
 #define ATLAS_IO_READ_TEXTURES_H
 
-#include <Atlas/IO/IO_error.h>
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/Source_textures.h>
-#include <Atlas/IO/internal/Text_scanner.h>
-#include <Atlas/IO/pages.h>
 #include <Atlas/IO/read_gltf.h>
-#include <Atlas/IO/read_image.h>
+#include <Atlas/image/IO_error.h>
+#include <Atlas/image/Source_textures.h>
+#include <Atlas/image/internal/Text_scanner.h>
+#include <Atlas/image/pages.h>
+#include <Atlas/image/read_image.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>

@@ -2,13 +2,13 @@
 #ifndef ATLAS_IO_WRITE_GLTF_H
 #define ATLAS_IO_WRITE_GLTF_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Output_file.h>
-#include <Atlas/IO/split_vertices.h>
 #include <Atlas/IO/write_obj.h>
-#include <Atlas/Surface.h>
-#include <Atlas/build_surface.h>
-#include <Atlas/internal/bounding_box.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/internal/bounding_box.h>
+#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/soup/Polygon_soup.h>
+#include <Atlas/soup/split_vertices.h>
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 #ifndef ATLAS_IO_WRITE_OBJ_H
 #define ATLAS_IO_WRITE_OBJ_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Output_file.h>
-#include <Atlas/IO/internal/index_uv.h>
-#include <Atlas/IO/internal/number_text.h>
-#include <Atlas/IO/pages.h>
+#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/pages.h>
+#include <Atlas/soup/Polygon_soup.h>
+#include <Atlas/soup/internal/index_uv.h>
+#include <Atlas/soup/internal/number_text.h>
 
 #include <cstddef>
 #include <filesystem>

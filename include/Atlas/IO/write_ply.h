@@ -2,10 +2,10 @@
 #ifndef ATLAS_IO_WRITE_PLY_H
 #define ATLAS_IO_WRITE_PLY_H
 
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/Output_file.h>
-#include <Atlas/IO/pages.h>
-#include <Atlas/IO/split_vertices.h>
+#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/pages.h>
+#include <Atlas/soup/Polygon_soup.h>
+#include <Atlas/soup/split_vertices.h>
 
 #include <algorithm>
 #include <bit>

@@ -4,8 +4,8 @@
 
 // This header needs CGAL's AABB tree, which is under the GPL; no other header of Atlas includes it.
 
-#include <Atlas/IO/internal/corner_normals.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/soup/internal/corner_normals.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>

@@ -2,8 +2,8 @@
 #ifndef ATLAS_BAKE_BAKE_NORMALS_H
 #define ATLAS_BAKE_BAKE_NORMALS_H
 
-#include <Atlas/IO/internal/corner_normals.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/soup/internal/corner_normals.h>
 
 #include <array>
 #include <cmath>

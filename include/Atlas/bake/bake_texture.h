@@ -2,13 +2,13 @@
 #ifndef ATLAS_BAKE_BAKE_TEXTURE_H
 #define ATLAS_BAKE_BAKE_TEXTURE_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/IO/Image.h>
-#include <Atlas/IO/Polygon_soup.h>
-#include <Atlas/IO/internal/fill_polygon.h>
-#include <Atlas/Surface.h>
 #include <Atlas/bake/nearest_texel.h>
-#include <Atlas/build_surface.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/build_surface.h>
+#include <Atlas/image/Image.h>
+#include <Atlas/image/internal/fill_polygon.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_BAKE_NEAREST_TEXEL_H
 #define ATLAS_BAKE_NEAREST_TEXEL_H
 
-#include <Atlas/Kernel.h>
+#include <Atlas/core/Kernel.h>
 
 #include <algorithm>
 #include <cmath>

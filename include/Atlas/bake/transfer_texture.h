@@ -2,8 +2,8 @@
 #ifndef ATLAS_BAKE_TRANSFER_TEXTURE_H
 #define ATLAS_BAKE_TRANSFER_TEXTURE_H
 
-#include <Atlas/IO/Source_textures.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/image/Source_textures.h>
 
 #include <CGAL/assertions.h>
 

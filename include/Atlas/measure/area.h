@@ -2,8 +2,8 @@
 #ifndef ATLAS_MEASURE_AREA_H
 #define ATLAS_MEASURE_AREA_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Surface.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Surface.h>
 
 #include <cmath>
 

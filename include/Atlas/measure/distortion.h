@@ -2,7 +2,7 @@
 #ifndef ATLAS_MEASURE_DISTORTION_H
 #define ATLAS_MEASURE_DISTORTION_H
 
-#include <Atlas/Chart.h>
+#include <Atlas/core/Chart.h>
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 #ifndef ATLAS_PACKING_HORIZON_PACKER_H
 #define ATLAS_PACKING_HORIZON_PACKER_H
 
-#include <Atlas/concepts.h>
-#include <Atlas/packing/internal/horizon_layout.h>
-#include <Atlas/packing/internal/pack_pages.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/packing/internal/horizon/horizon_layout.h>
+#include <Atlas/packing/internal/pages/pack_pages.h>
 
 #include <span>
 

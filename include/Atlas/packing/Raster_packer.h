@@ -2,9 +2,9 @@
 #ifndef ATLAS_PACKING_RASTER_PACKER_H
 #define ATLAS_PACKING_RASTER_PACKER_H
 
-#include <Atlas/concepts.h>
-#include <Atlas/packing/internal/pack_pages.h>
-#include <Atlas/packing/internal/raster_layout.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/packing/internal/pages/pack_pages.h>
+#include <Atlas/packing/internal/raster/raster_layout.h>
 
 #include <span>
 

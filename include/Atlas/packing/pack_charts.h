@@ -2,11 +2,12 @@
 #ifndef ATLAS_PACKING_PACK_CHARTS_H
 #define ATLAS_PACKING_PACK_CHARTS_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Surface.h>
-#include <Atlas/concepts.h>
-#include <Atlas/extract_charts.h>
-#include <Atlas/internal/mean_weight.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/charts_of_uv.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/mean_weight.h>
 #include <Atlas/packing/Raster_packer.h>
 
 #include <cmath>
@@ -25,41 +26,6 @@ struct Repacked_charts
   Segmentation segmentation; ///< which triangle is in which chart; those without coordinates in none
   Packing packing;
 };
-
-/// The charts that coordinates at corners make of a surface: triangles are glued along edges at both ends of
-/// which their coordinates are equal. Triangles without finite coordinates get the chart `no_index`. Linear.
-inline Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2> uv)
-{
-  const std::size_t n = surface.number_of_triangles();
-  const auto at = [&](Index h) -> const Point_2& { return uv[surface.corner[h]]; };
-  const auto is_finite = [&](Index h) { return std::isfinite(at(h).x()) && std::isfinite(at(h).y()); };
-  Segmentation result{std::vector<Index>(n, no_index), std::vector<std::uint8_t>(3 * n, 0), 0};
-  for (Index h = 0; h < 3 * n; ++h) {
-    const Index o = surface.opposite[h];
-    result.cut[h] = o != no_index && (at(h) != at(next_halfedge(o)) || at(next_halfedge(h)) != at(o));
-  }
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < n; ++seed) {
-    const auto enter = [&](Index t) {
-      if (result.chart[t] != no_index || !is_finite(3 * t) || !is_finite(3 * t + 1) || !is_finite(3 * t + 2))
-        return false;
-      result.chart[t] = result.number_of_charts;
-      stack.push_back(t);
-      return true;
-    };
-    if (!enter(seed))
-      continue;
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (surface.opposite[h] != no_index && !result.cut[h])
-          enter(surface.opposite[h] / 3);
-    }
-    ++result.number_of_charts;
-  }
-  return result;
-}
 
 /// \brief Packs texture coordinates that came from elsewhere; the shapes of charts stay as they are.
 ///

@@ -2,10 +2,10 @@
 #ifndef ATLAS_PACKING_PACKING_CLEARANCE_H
 #define ATLAS_PACKING_PACKING_CLEARANCE_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Packing.h>
-#include <Atlas/packing/internal/Outline.h>
-#include <Atlas/packing/internal/separation.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Packing.h>
+#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/packing/internal/shapes/chart_clearance.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,7 +55,7 @@ inline Packing_clearance packing_clearance(std::span<const Chart> charts, const 
       pages[placement.page].push_back(std::move(placed));
   }
   for (const auto& [page_number, placed] : pages)
-    internal::Separation(placed, limit).search([&](Index, Index, double distance) {
+    internal::Chart_clearance(placed, limit).search([&](Index, Index, double distance) {
       result.charts = std::min(result.charts, distance);
       return result.charts > 0;
     });

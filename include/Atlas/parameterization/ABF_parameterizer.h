@@ -2,12 +2,12 @@
 #ifndef ATLAS_PARAMETERIZATION_ABF_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_ABF_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/extract_charts.h>
-#include <Atlas/parameterization/internal/Angle_flattener.h>
-#include <Atlas/parameterization/internal/angle_layout.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/parameterization/internal/angles/Angle_flattener.h>
+#include <Atlas/parameterization/internal/angles/angle_layout.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <array>
 #include <cmath>
@@ -96,7 +96,7 @@ private:
                                                      ABF_record& record) const
   {
     internal::Angle_flattener flattener(geometry, least_height);
-    internal::Block_system system(geometry.chart());
+    internal::Vertex_block_cholesky system(geometry.chart());
     record = {};
     record.has_converged = false;
     double change = 0;

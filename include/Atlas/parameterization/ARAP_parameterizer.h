@@ -2,13 +2,13 @@
 #ifndef ATLAS_PARAMETERIZATION_ARAP_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_ARAP_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
-#include <Atlas/parameterization/internal/distortion_energy.h>
-#include <Atlas/parameterization/internal/fill_reducing_order.h>
-#include <Atlas/parameterization/internal/multifrontal_cholesky.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/parameterization/internal/distortion/distortion_energy.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
+#include <Atlas/parameterization/internal/sparse/fill_reducing_order.h>
+#include <Atlas/parameterization/internal/sparse/multifrontal_cholesky.h>
 
 #include <cmath>
 #include <complex>

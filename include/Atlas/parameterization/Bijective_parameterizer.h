@@ -2,16 +2,16 @@
 #ifndef ATLAS_PARAMETERIZATION_BIJECTIVE_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_BIJECTIVE_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/Flattening_record.h>
-#include <Atlas/concepts.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Flattening_record.h>
+#include <Atlas/core/concepts.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/MIPS_optimizer.h>
 #include <Atlas/parameterization/Schnyder_parameterizer.h>
 #include <Atlas/parameterization/Symmetric_dirichlet_optimizer.h>
 #include <Atlas/parameterization/Tutte_parameterizer.h>
-#include <Atlas/parameterization/internal/injectivity.h>
+#include <Atlas/parameterization/internal/geometry/injectivity.h>
 
 #include <cstddef>
 #include <utility>

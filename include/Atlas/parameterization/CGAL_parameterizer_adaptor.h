@@ -4,9 +4,9 @@
 #ifndef ATLAS_PARAMETERIZATION_CGAL_PARAMETERIZER_ADAPTOR_H
 #define ATLAS_PARAMETERIZATION_CGAL_PARAMETERIZER_ADAPTOR_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>

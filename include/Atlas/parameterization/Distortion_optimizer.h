@@ -2,12 +2,12 @@
 #ifndef ATLAS_PARAMETERIZATION_DISTORTION_OPTIMIZER_H
 #define ATLAS_PARAMETERIZATION_DISTORTION_OPTIMIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/Flattening_record.h>
-#include <Atlas/parameterization/internal/coarse_start.h>
-#include <Atlas/parameterization/internal/distortion_minimizer.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Flattening_record.h>
+#include <Atlas/parameterization/internal/distortion/Multilevel_start.h>
+#include <Atlas/parameterization/internal/distortion/distortion_minimizer.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <cstddef>
 #include <utility>
@@ -71,7 +71,7 @@ public:
     minimizer.scale(minimizer.best_scale());
     const double target = options_.target * Energy::isometry;
     if (minimizer.mean_energy() > target) {
-      internal::Coarse_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates());
+      internal::Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates());
       if (start(options_.max_iterations, options_.tolerance, execution) &&
           minimizer.adopt(start.coordinates()) && start.is_guarded())
         minimizer.guard();

@@ -2,12 +2,12 @@
 #ifndef ATLAS_PARAMETERIZATION_FIXED_BORDER_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_FIXED_BORDER_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/parameterization/internal/barycentric_map.h>
-#include <Atlas/parameterization/internal/convex_weights.h>
-#include <Atlas/parameterization/internal/injectivity.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/parameterization/internal/fixed_border/barycentric_map.h>
+#include <Atlas/parameterization/internal/fixed_border/convex_weights.h>
+#include <Atlas/parameterization/internal/geometry/injectivity.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #ifndef ATLAS_PARAMETERIZATION_IDENTITY_OPTIMIZER_H
 #define ATLAS_PARAMETERIZATION_IDENTITY_OPTIMIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
 
 namespace Atlas {
 

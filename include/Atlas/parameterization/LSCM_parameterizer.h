@@ -2,11 +2,11 @@
 #ifndef ATLAS_PARAMETERIZATION_LSCM_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_LSCM_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
 #include <Atlas/parameterization/LSCM_traits.h>
-#include <Atlas/parameterization/internal/conformal_energy.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <CGAL/assertions.h>
 

@@ -2,11 +2,11 @@
 #ifndef ATLAS_PARAMETERIZATION_LSCM_TRAITS_H
 #define ATLAS_PARAMETERIZATION_LSCM_TRAITS_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/parameterization/internal/border.h>
-#include <Atlas/parameterization/internal/conformal_energy.h>
-#include <Atlas/parameterization/internal/hermitian_ldlt.h>
-#include <Atlas/parameterization/internal/hermitian_multifrontal.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_multifrontal.h>
+#include <Atlas/parameterization/internal/geometry/border.h>
 
 #include <concepts>
 #include <cstddef>

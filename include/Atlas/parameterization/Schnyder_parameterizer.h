@@ -2,12 +2,12 @@
 #ifndef ATLAS_PARAMETERIZATION_SCHNYDER_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_SCHNYDER_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/extract_charts.h>
-#include <Atlas/parameterization/internal/injectivity.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
-#include <Atlas/parameterization/internal/schnyder_realizer.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/parameterization/internal/fixed_border/schnyder_realizer.h>
+#include <Atlas/parameterization/internal/geometry/injectivity.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <array>
 #include <cmath>

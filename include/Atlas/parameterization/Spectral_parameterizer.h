@@ -2,10 +2,10 @@
 #ifndef ATLAS_PARAMETERIZATION_SPECTRAL_PARAMETERIZER_H
 #define ATLAS_PARAMETERIZATION_SPECTRAL_PARAMETERIZER_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
 #include <Atlas/parameterization/LSCM_traits.h>
-#include <Atlas/parameterization/internal/normalize_area.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <cmath>
 #include <complex>

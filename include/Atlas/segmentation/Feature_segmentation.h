@@ -2,14 +2,14 @@
 #ifndef ATLAS_SEGMENTATION_FEATURE_SEGMENTATION_H
 #define ATLAS_SEGMENTATION_FEATURE_SEGMENTATION_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
 #include <Atlas/segmentation/distance_to_features.h>
 #include <Atlas/segmentation/expand_charts.h>
 #include <Atlas/segmentation/feature_detection.h>
-#include <Atlas/segmentation/internal/absorb_small_charts.h>
-#include <Atlas/segmentation/internal/cut_socks.h>
-#include <Atlas/segmentation/internal/whole_surface.h>
+#include <Atlas/segmentation/internal/features/absorb_small_charts.h>
+#include <Atlas/segmentation/internal/features/cut_socks.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <cstddef>
 #include <utility>
@@ -44,7 +44,7 @@ public:
 
   Segmentation segment(const Surface& surface, const Execution& execution = Execution()) const
   {
-    const internal::Piece piece = internal::whole_surface(surface);
+    const internal::Submesh piece = internal::surface_connectivity(surface);
     const std::vector<std::uint8_t> is_feature = internal::detect_features(surface, piece, features);
     if (!execution.proceed(0.4))
       return unfinished(surface);
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  void absorb(const Surface& surface, const internal::Piece& piece,
+  void absorb(const Surface& surface, const internal::Submesh& piece,
               internal::Chart_boundaries& boundaries) const
   {
     double area = 0;

@@ -2,17 +2,17 @@
 #ifndef ATLAS_SEGMENTATION_MERGED_SEGMENTATION_H
 #define ATLAS_SEGMENTATION_MERGED_SEGMENTATION_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/concepts.h>
-#include <Atlas/extract_charts.h>
-#include <Atlas/internal/Piece_rejoiner.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/segmentation/Merge_options.h>
 #include <Atlas/segmentation/cut_to_discs.h>
-#include <Atlas/segmentation/internal/Seam_surroundings.h>
-#include <Atlas/segmentation/internal/respect_unwanted_seams.h>
-#include <Atlas/segmentation/internal/trial_of_chart.h>
+#include <Atlas/segmentation/internal/merging/merge_across_forbidden_seams.h>
+#include <Atlas/segmentation/internal/merging/merge_trial.h>
+#include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
+#include <Atlas/segmentation/internal/smoothing/Seam_band.h>
 #include <Atlas/segmentation/merge_charts.h>
 #include <Atlas/segmentation/smooth_borders.h>
 
@@ -51,7 +51,7 @@ public:
   Segmentation segment(const Surface& surface, const Execution& execution) const
   {
     Segmentation segmentation = base_.segment(surface, execution);
-    internal::respect_unwanted_seams(surface, segmentation);
+    internal::merge_across_forbidden_seams(surface, segmentation);
     if (!execution.is_cancelled())
       cut_to_discs(surface, segmentation, execution);
     // Straight arcs between the many charts: what remains of them are short seams, slits included.
@@ -79,8 +79,8 @@ private:
                            const Execution& execution) const
   {
     const int reach = std::accumulate(smoothing_rings.begin(), smoothing_rings.end(), 1);
-    internal::Seam_surroundings around(surface, segmentation, reach,
-                                       internal::triangles_of_smoothed_charts(options_));
+    internal::Seam_band around(surface, segmentation, reach,
+                               internal::triangles_of_smoothed_charts(options_));
     Smoothing_options options;
     options.sharp_discount = discount_after_merging;
     internal::Segmentation_smoother smoother(around.surface(), around.segmentation(), around.limits(),
@@ -120,7 +120,7 @@ private:
     const auto accept = [](const Tried_chart& joined, const Tried_chart&, const Tried_chart&) {
       return joined.is_kept;
     };
-    internal::Piece_rejoiner(surface, segmentation, charts, flatten, accept, 1, execution).run(all);
+    internal::Fragment_merger(surface, segmentation, charts, flatten, accept, 1, execution).run(all);
     internal::close_gaps(segmentation, charts);
   }
 

@@ -2,8 +2,8 @@
 #ifndef ATLAS_SEGMENTATION_PATCH_SEGMENTATION_H
 #define ATLAS_SEGMENTATION_PATCH_SEGMENTATION_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
 
 #include <algorithm>
 #include <cstdint>

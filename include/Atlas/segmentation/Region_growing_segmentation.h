@@ -2,9 +2,9 @@
 #ifndef ATLAS_SEGMENTATION_REGION_GROWING_SEGMENTATION_H
 #define ATLAS_SEGMENTATION_REGION_GROWING_SEGMENTATION_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Element_graph.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/segmentation/internal/elements/Element_graph.h>
 
 #include <Eigen/Dense>
 

@@ -2,10 +2,10 @@
 #ifndef ATLAS_SEGMENTATION_VARIATIONAL_SEGMENTATION_H
 #define ATLAS_SEGMENTATION_VARIATIONAL_SEGMENTATION_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Element_graph.h>
-#include <Atlas/segmentation/internal/variational_clusters.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/segmentation/internal/elements/Element_graph.h>
+#include <Atlas/segmentation/internal/elements/variational_clusters.h>
 
 #include <algorithm>
 #include <cmath>

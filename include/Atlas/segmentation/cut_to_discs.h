@@ -2,11 +2,11 @@
 #ifndef ATLAS_SEGMENTATION_CUT_TO_DISCS_H
 #define ATLAS_SEGMENTATION_CUT_TO_DISCS_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/internal/barriers.h>
-#include <Atlas/segmentation/internal/Disc_cutter.h>
-#include <Atlas/segmentation/internal/Piece.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/edge_rules.h>
+#include <Atlas/segmentation/internal/discs/Disc_cutter.h>
+#include <Atlas/segmentation/internal/surface/Submesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +39,7 @@ public:
     const auto is_glued = [&](Index h) { return segmentation_.is_glued(surface_, h); };
     std::vector<std::vector<Index>> parts;
     {
-      const Piece all = make_piece(surface_, std::move(triangles), is_glued, local_);
+      const Submesh all = make_piece(surface_, std::move(triangles), is_glued, local_);
       parts = connected_parts(all);
       for (std::vector<Index>& part : parts)
         for (Index& t : part)
@@ -86,7 +86,7 @@ private:
         if (o == no_index)
           continue;
         const bool is_wanted =
-            segmentation_.cut[h] || segmentation_.cut[o] || o / 3 == t || is_barrier(surface_, h);
+            segmentation_.cut[h] || segmentation_.cut[o] || o / 3 == t || must_be_seam(surface_, h);
         segmentation_.cut[h] = segmentation_.cut[o] = is_wanted && !surface_.is_diagonal(h);
       }
   }
@@ -109,7 +109,7 @@ private:
     while (!tasks.empty()) {
       auto [triangles, attempt] = std::move(tasks.back());
       tasks.pop_back();
-      Piece piece = make_piece(surface_, std::move(triangles), is_glued, local_);
+      Submesh piece = make_piece(surface_, std::move(triangles), is_glued, local_);
       Disc_cutter(surface_, piece).run([&](Index h) { cut(h); });
       const std::vector<Index> blamed = ambiguous_triangles(piece);
       if (blamed.empty()) {
@@ -128,7 +128,7 @@ private:
 
   /// Unglues the faces of the blamed triangles, or all faces, from the rest. Edges between pieces that part
   /// here are cut, which does no harm, since they become charts of their own.
-  void split_faces_off(Piece& piece, const std::vector<Index>& blamed, bool all)
+  void split_faces_off(Submesh& piece, const std::vector<Index>& blamed, bool all)
   {
     std::vector<Index> faces;
     for (const Index t : blamed)

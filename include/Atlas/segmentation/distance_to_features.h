@@ -2,10 +2,10 @@
 #ifndef ATLAS_SEGMENTATION_DISTANCE_TO_FEATURES_H
 #define ATLAS_SEGMENTATION_DISTANCE_TO_FEATURES_H
 
-#include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Front.h>
-#include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/whole_surface.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/segmentation/internal/features/Fast_marching.h>
+#include <Atlas/segmentation/internal/surface/Submesh.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Feature_distance
 };
 
 /// Numbers the connected components of a piece, per vertex.
-inline Index number_components(const Piece& piece, std::vector<Index>& component)
+inline Index number_components(const Submesh& piece, std::vector<Index>& component)
 {
   component.assign(piece.number_of_vertices(), no_index);
   Index count = 0;
@@ -61,7 +61,7 @@ inline Index number_components(const Piece& piece, std::vector<Index>& component
 class Diameter_rule
 {
 public:
-  Diameter_rule(Front& front, Feature_distance& field)
+  Diameter_rule(Fast_marching& front, Feature_distance& field)
       : front_(front), field_(field), is_featureless_(field.number_of_components, 1)
   {
     for (Index v = 0; v < field.vertex.size(); ++v)
@@ -135,13 +135,13 @@ private:
     return a;
   }
 
-  Front& front_;
+  Fast_marching& front_;
   Feature_distance& field_;
   std::vector<std::uint8_t> is_featureless_;
 };
 
 /// The distance of a triangle is the mean over the corners of its input face's triangles.
-inline std::vector<double> distance_of_triangles(const Surface& surface, const Piece& piece,
+inline std::vector<double> distance_of_triangles(const Surface& surface, const Submesh& piece,
                                                  const std::vector<double>& vertex)
 {
   std::vector<double> sum(surface.number_of_faces, 0), count(surface.number_of_faces, 0);
@@ -155,7 +155,7 @@ inline std::vector<double> distance_of_triangles(const Surface& surface, const P
   return result;
 }
 
-inline Feature_distance distance_to_features(const Surface& surface, const Piece& piece,
+inline Feature_distance distance_to_features(const Surface& surface, const Submesh& piece,
                                              const std::vector<std::uint8_t>& is_feature)
 {
   std::vector<Index> sources;
@@ -165,7 +165,7 @@ inline Feature_distance distance_to_features(const Surface& surface, const Piece
   for (Index h = 0; h < piece.vertex.size(); ++h)
     if (is_feature[h])
       sources.push_back(piece.vertex[h]);
-  Front front(surface, piece);
+  Fast_marching front(surface, piece);
   front.run(sources);
   Feature_distance field;
   field.vertex = front.distance();
@@ -188,7 +188,8 @@ inline Feature_distance distance_to_features(const Surface& surface, const Piece
 inline std::vector<double> distance_to_features(const Surface& surface,
                                                 const std::vector<std::uint8_t>& is_feature)
 {
-  return internal::distance_to_features(surface, internal::whole_surface(surface), is_feature).triangle;
+  return internal::distance_to_features(surface, internal::surface_connectivity(surface), is_feature)
+      .triangle;
 }
 
 } // namespace Atlas

@@ -2,12 +2,12 @@
 #ifndef ATLAS_SEGMENTATION_EXPAND_CHARTS_H
 #define ATLAS_SEGMENTATION_EXPAND_CHARTS_H
 
-#include <Atlas/Surface.h>
-#include <Atlas/internal/Union_find.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/Union_find.h>
 #include <Atlas/segmentation/distance_to_features.h>
-#include <Atlas/segmentation/internal/Chart_boundaries.h>
-#include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/whole_surface.h>
+#include <Atlas/segmentation/internal/features/Chart_boundaries.h>
+#include <Atlas/segmentation/internal/surface/Submesh.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +36,7 @@ class Chart_growth
 {
 public:
   /// \param largest  per triangle: the largest distance in its component
-  Chart_growth(const Surface& surface, const Piece& piece, const std::vector<double>& distance,
+  Chart_growth(const Surface& surface, const Submesh& piece, const std::vector<double>& distance,
                const std::vector<double>& largest, const Growth_options& options)
       : surface_(surface), piece_(piece), distance_(distance), largest_(largest), options_(options),
         boundaries_(surface, piece)
@@ -113,7 +113,7 @@ private:
       push(t);
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
         const Index o = piece_.opposite[h];
-        if (o != no_index && must_not_cut(surface_, h) && boundaries_.chart(o / 3) == no_index) {
+        if (o != no_index && must_not_be_seam(surface_, h) && boundaries_.chart(o / 3) == no_index) {
           boundaries_.put(o / 3, boundaries_.chart(t));
           boundaries_.open(h);
           stack_.push_back(o / 3);
@@ -152,7 +152,7 @@ private:
   }
 
   const Surface& surface_;
-  const Piece& piece_;
+  const Submesh& piece_;
   const std::vector<double>& distance_;
   const std::vector<double>& largest_;
   Growth_options options_;
@@ -164,7 +164,7 @@ private:
 };
 
 /// Per triangle, the largest value in its connected component.
-inline std::vector<double> largest_of_component(const Piece& piece, const std::vector<double>& distance)
+inline std::vector<double> largest_of_component(const Submesh& piece, const std::vector<double>& distance)
 {
   std::vector<Index> component;
   std::vector<double> largest(number_components(piece, component), 0), result(distance.size());
@@ -190,7 +190,7 @@ inline std::vector<double> largest_of_component(const Piece& piece, const std::v
 inline Segmentation expand_charts(const Surface& surface, const std::vector<double>& distance,
                                   const Growth_options& options = {})
 {
-  const internal::Piece piece = internal::whole_surface(surface);
+  const internal::Submesh piece = internal::surface_connectivity(surface);
   return internal::Chart_growth(surface, piece, distance, internal::largest_of_component(piece, distance),
                                 options)
       .run()

@@ -2,11 +2,11 @@
 #ifndef ATLAS_SEGMENTATION_FEATURE_DETECTION_H
 #define ATLAS_SEGMENTATION_FEATURE_DETECTION_H
 
-#include <Atlas/Surface.h>
-#include <Atlas/segmentation/internal/Feature_tracer.h>
-#include <Atlas/segmentation/internal/Piece.h>
-#include <Atlas/segmentation/internal/filter_normals.h>
-#include <Atlas/segmentation/internal/whole_surface.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/segmentation/internal/features/Feature_tracer.h>
+#include <Atlas/segmentation/internal/features/filter_normals.h>
+#include <Atlas/segmentation/internal/surface/Submesh.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,13 +50,13 @@ namespace internal {
 
 /// The angle between the normals on either side, in radians, per halfedge: second order differences. Zero
 /// where there can be no feature. `normals` are per triangle.
-inline std::vector<float> edge_sharpness(const Surface& surface, const Piece& piece,
+inline std::vector<float> edge_sharpness(const Surface& surface, const Submesh& piece,
                                          const std::vector<Vector_3>& normals)
 {
   std::vector<float> sharpness(piece.opposite.size(), 0);
   for (Index h = 0; h < sharpness.size(); ++h) {
     const Index o = piece.opposite[h];
-    if (o != no_index && h < o && !must_not_cut(surface, h))
+    if (o != no_index && h < o && !must_not_be_seam(surface, h))
       sharpness[h] = sharpness[o] = static_cast<float>(angle_between(normals[h / 3], normals[o / 3]));
   }
   return sharpness;
@@ -81,7 +81,7 @@ inline float step_over_plateau(const std::vector<float>& values, float threshold
 
 /// The least angle of a sharp edge: the quantile of the given share, but above the median by the contrast,
 /// and above rounding.
-inline float sharpness_threshold(const Surface& surface, const Piece& piece,
+inline float sharpness_threshold(const Surface& surface, const Submesh& piece,
                                  const std::vector<float>& sharpness, const Feature_options& options)
 {
   constexpr float rounding = 1e-5f;
@@ -102,7 +102,7 @@ inline float sharpness_threshold(const Surface& surface, const Piece& piece,
        static_cast<float>(options.min_contrast) * quantile(0.5), rounding});
 }
 
-inline std::vector<std::uint8_t> detect_features(const Surface& surface, const Piece& piece,
+inline std::vector<std::uint8_t> detect_features(const Surface& surface, const Submesh& piece,
                                                  const Feature_options& options)
 {
   std::vector<Vector_3> normals = face_normals(surface);
@@ -127,7 +127,7 @@ inline std::vector<std::uint8_t> detect_features(const Surface& surface, const P
 /// whether the edge is a feature. Diagonals and edges that must not be seams never are. O(n log n).
 inline std::vector<std::uint8_t> detect_features(const Surface& surface, const Feature_options& options = {})
 {
-  return internal::detect_features(surface, internal::whole_surface(surface), options);
+  return internal::detect_features(surface, internal::surface_connectivity(surface), options);
 }
 
 } // namespace Atlas

@@ -2,15 +2,15 @@
 #ifndef ATLAS_SEGMENTATION_MERGE_CHARTS_H
 #define ATLAS_SEGMENTATION_MERGE_CHARTS_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/concepts.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/concepts.h>
 #include <Atlas/segmentation/Merge_options.h>
-#include <Atlas/segmentation/internal/Chart_arcs.h>
-#include <Atlas/segmentation/internal/Chart_merger.h>
-#include <Atlas/segmentation/internal/Coarse_surface.h>
-#include <Atlas/segmentation/internal/Seam_costs.h>
+#include <Atlas/segmentation/internal/merging/Chart_arcs.h>
+#include <Atlas/segmentation/internal/merging/Chart_merger.h>
+#include <Atlas/segmentation/internal/merging/Coarse_surface.h>
+#include <Atlas/segmentation/internal/surface/Seam_costs.h>
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 #ifndef ATLAS_SEGMENTATION_SMOOTH_BORDERS_H
 #define ATLAS_SEGMENTATION_SMOOTH_BORDERS_H
 
-#include <Atlas/Chart.h>
-#include <Atlas/Execution.h>
-#include <Atlas/Surface.h>
-#include <Atlas/extract_charts.h>
-#include <Atlas/segmentation/internal/Border_smoother.h>
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/segmentation/internal/smoothing/Border_smoother.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_VALIDATION_ATLAS_CERTIFICATE_H
 #define ATLAS_VALIDATION_ATLAS_CERTIFICATE_H
 
-#include <Atlas/Kernel.h>
+#include <Atlas/core/Kernel.h>
 
 #include <array>
 #include <cstddef>

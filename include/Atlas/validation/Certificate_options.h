@@ -2,7 +2,7 @@
 #ifndef ATLAS_VALIDATION_CERTIFICATE_OPTIONS_H
 #define ATLAS_VALIDATION_CERTIFICATE_OPTIONS_H
 
-#include <Atlas/Packing.h>
+#include <Atlas/core/Packing.h>
 
 #include <cstddef>
 

@@ -2,10 +2,10 @@
 #ifndef ATLAS_VALIDATION_EXACT_VALIDATOR_H
 #define ATLAS_VALIDATION_EXACT_VALIDATOR_H
 
-#include <Atlas/concepts.h>
-#include <Atlas/internal/area_in_space.h>
-#include <Atlas/internal/chart_densities.h>
-#include <Atlas/internal/split_chart.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/internal/area_in_space.h>
+#include <Atlas/validation/internal/chart_densities.h>
+#include <Atlas/validation/internal/split_chart.h>
 #include <Atlas/validation/overlaps.h>
 
 #include <algorithm>

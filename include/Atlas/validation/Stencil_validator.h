@@ -2,12 +2,12 @@
 #ifndef ATLAS_VALIDATION_STENCIL_VALIDATOR_H
 #define ATLAS_VALIDATION_STENCIL_VALIDATOR_H
 
-#include <Atlas/concepts.h>
-#include <Atlas/internal/OSMesa_stencil.h>
-#include <Atlas/internal/box_tree.h>
-#include <Atlas/internal/chart_densities.h>
-#include <Atlas/internal/split_chart.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/planar/internal/box_tree.h>
 #include <Atlas/validation/Exact_validator.h>
+#include <Atlas/validation/internal/OSMesa_stencil.h>
+#include <Atlas/validation/internal/chart_densities.h>
+#include <Atlas/validation/internal/split_chart.h>
 #include <Atlas/validation/overlaps.h>
 
 #include <algorithm>

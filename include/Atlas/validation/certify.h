@@ -2,11 +2,11 @@
 #ifndef ATLAS_VALIDATION_CERTIFY_H
 #define ATLAS_VALIDATION_CERTIFY_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Packing.h>
-#include <Atlas/Surface.h>
-#include <Atlas/internal/Certifier.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Packing.h>
+#include <Atlas/core/Surface.h>
 #include <Atlas/validation/Atlas_certificate.h>
+#include <Atlas/validation/internal/Certifier.h>
 
 #include <span>
 

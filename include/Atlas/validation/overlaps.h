@@ -2,10 +2,10 @@
 #ifndef ATLAS_VALIDATION_OVERLAPS_H
 #define ATLAS_VALIDATION_OVERLAPS_H
 
-#include <Atlas/Execution.h>
-#include <Atlas/Kernel.h>
-#include <Atlas/internal/box_tree.h>
-#include <Atlas/internal/coverage_sweep.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Kernel.h>
+#include <Atlas/planar/internal/box_tree.h>
+#include <Atlas/planar/internal/coverage_sweep.h>
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// The files that the program leaves.
+#include <Atlas/IO/write_gltf.h>
+#include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/write_ply.h>
+#include <Atlas/bake/bake_ambient_occlusion.h>
+#include <Atlas/bake/bake_normals.h>
+#include <Atlas/bake/bake_texture.h>
+#include <Atlas/bake/transfer_texture.h>
+#include <Atlas/image/checkerboard.h>
+#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/pages.h>
+#include <Atlas/image/render_model.h>
+#include <Atlas/image/write_png.h>
+#include <Atlas/report/write_html_report.h>
+#include <Atlas/report/write_report.h>
+#include <Atlas/soup/face_distortion.h>
+
+#include "texture_atlas.h"
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name of a file beside the model.
+fs::path beside(const fs::path& output, const std::string& suffix)
+{
+  return output.parent_path() / (output.stem().string() + suffix);
+}
+
+Atlas::Image side_by_side(const Atlas::Image& left, const Atlas::Image& right)
+{
+  Atlas::Image image(left.width + right.width, std::max(left.height, right.height));
+  paste(left, image, 0, 0);
+  paste(right, image, left.width, 0);
+  return image;
+}
+
+/// Files that appear together, and their names.
+class Outputs
+{
+public:
+  void add(const fs::path& path, const std::string& bytes)
+  {
+    files_.add(path, bytes);
+    names_.push_back(path.string());
+  }
+
+  /// Gives the files their names, which are returned.
+  const std::vector<std::string>& commit()
+  {
+    files_.commit();
+    return names_;
+  }
+
+private:
+  Atlas::internal::Output_files files_;
+  std::vector<std::string> names_;
+};
+
+/// Pictures of all pages, and what their files are called.
+struct Textures
+{
+  std::vector<Atlas::Image> pages;
+  std::string suffix;
+};
+
+const char* suffix_of(Bake what)
+{
+  switch (what) {
+  case Bake::colors:
+    return "_color.png";
+  case Bake::texture:
+    return "_texture.png";
+  case Bake::normals:
+    return "_normal.png";
+  case Bake::occlusion:
+    return "_occlusion.png";
+  }
+  return "";
+}
+
+/// Bakes the pages of a model.
+class Baker
+{
+public:
+  Baker(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Source_textures& source,
+        const Atlas::Execution& execution)
+      : options_(options), model_(model), source_(source), execution_(execution)
+  {}
+
+  Textures operator()(Bake what) const
+  {
+    Textures result{{}, suffix_of(what)};
+    for (Atlas::Index page = 0; page < model_.number_of_pages(); ++page)
+      result.pages.push_back(image(what, page));
+    return result;
+  }
+
+private:
+  Atlas::Image image(Bake what, Atlas::Index page) const
+  {
+    const Atlas::Image_size size(options_.page.width, options_.page.height);
+    switch (what) {
+    case Bake::colors:
+      return Atlas::bake_vertex_colors(model_, size, page);
+    case Bake::texture:
+      return Atlas::transfer_texture(model_, size, source_, page, execution_);
+    case Bake::normals:
+      return Atlas::bake_normals(model_, size, page, execution_);
+    case Bake::occlusion:
+      return Atlas::bake_ambient_occlusion(model_, size, {}, page, execution_);
+    }
+    return {};
+  }
+
+  const Options& options_;
+  const Atlas::Polygon_soup& model_;
+  const Atlas::Source_textures& source_;
+  Atlas::Execution execution_;
+};
+
+/// What the model shows: its baked colours or texture, or a checkerboard on every page.
+Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& model, const Baker& bake)
+{
+  for (const Bake what : {Bake::texture, Bake::colors})
+    if (options.has(what))
+      return bake(what);
+  const Atlas::Image_size page(options.page.width, options.page.height);
+  const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
+  const Atlas::Image board =
+      Atlas::checkerboard(page.with_longer_side(side), std::max<std::size_t>(side / 16, 2));
+  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png"};
+}
+
+/// The pictures of several pages have the number of their tile in their name.
+void add_textures(Outputs& outputs, const fs::path& output, const std::vector<std::string>& pngs,
+                  const std::string& suffix)
+{
+  const auto pages = static_cast<Atlas::Index>(pngs.size());
+  for (Atlas::Index page = 0; page < pages; ++page) {
+    const std::string name = beside(output, suffix).filename().string();
+    outputs.add(output.parent_path() / Atlas::page_file_name(name, page, pages), pngs[page]);
+  }
+}
+
+/// Pages that look like the one before them, as all of a checkerboard do, are not compressed again.
+std::vector<std::string> pngs_of(const Textures& textures)
+{
+  std::vector<std::string> pngs;
+  for (std::size_t page = 0; page < textures.pages.size(); ++page) {
+    const bool is_repeated = page > 0 && textures.pages[page].pixels == textures.pages[page - 1].pixels;
+    pngs.push_back(is_repeated ? pngs.back() : Atlas::png_bytes(textures.pages[page]));
+  }
+  return pngs;
+}
+
+/// The models in the format that the extension of the output names, with the texture of all. It is inside of
+/// a glTF file only if there is but one model.
+void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_soups& models,
+                const Textures& textures)
+{
+  const fs::path output = options.output;
+  const std::vector<std::string> pngs = pngs_of(textures);
+  if (output.extension() == ".glb" && models.number_of_parts() == 1) {
+    outputs.add(output, Atlas::glb_bytes(models.whole(), pngs));
+    return;
+  }
+  const std::string picture = beside(output, textures.suffix).filename().string();
+  const auto pages = static_cast<Atlas::Index>(pngs.size());
+  const fs::path library = beside(output, ".mtl");
+  const auto bytes_of = [&](const Atlas::Polygon_soup& model) {
+    if (output.extension() == ".ply")
+      return Atlas::ply_bytes(model, picture, Atlas::Ply_texcoord_style::wedge, pages);
+    if (output.extension() == ".obj")
+      return Atlas::obj_text(model, library.filename().string());
+    std::vector<std::string> names;
+    for (Atlas::Index page = 0; page < pages; ++page)
+      names.push_back(Atlas::page_file_name(picture, page, pages));
+    return Atlas::glb_bytes(model, names, Atlas::Gltf_textures::files);
+  };
+  const std::vector<std::string> files = options.models();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    outputs.add(files[i], files.size() == 1 ? bytes_of(models.whole()) : bytes_of(models.part(i)));
+  if (output.extension() == ".obj")
+    outputs.add(library, Atlas::mtl_text(models.whole(), picture));
+  add_textures(outputs, output, pngs, textures.suffix);
+}
+
+/// Which models there are, and where each starts in the lists of the report.
+Atlas::Json description(const Options& options, const Atlas::Joined_soups& models)
+{
+  if (options.meshes.size() == 1)
+    return {{"mesh", options.meshes.front()}, {"vertices", models.whole().points.size()}};
+  Atlas::Json list = Atlas::Json::array();
+  const std::vector<std::string> files = options.models();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    list.push_back({{"mesh", options.meshes[i]},
+                    {"model", files[i]},
+                    {"first_vertex", models.first_vertex(i)},
+                    {"first_face", models.first_face(i)}});
+  return {{"meshes", list}, {"vertices", models.whole().points.size()}};
+}
+
+/// Several pages are shown side by side.
+void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
+                  const Textures& textures, const Atlas::Atlas_report& report)
+{
+  const fs::path output = options.output;
+  const std::vector<double> stretch =
+      Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
+  const Atlas::Polygon_soup sheet = Atlas::sheet_of_pages(model);
+  const std::vector<Atlas::Index>& culprits = report.certificate.culprits;
+  Atlas::Report_pictures pictures;
+  const Atlas::Image_size shape(options.page.width, options.page.height);
+  pictures.page = Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(1024), culprits);
+  pictures.stretch = Atlas::draw_stretch(sheet, stretch, shape.with_longer_side(1024));
+  pictures.view = Atlas::render_model(sheet, Atlas::sheet_of_images(textures.pages));
+  outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
+  outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
+  outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
+  outputs.add(beside(output, ".html"), Atlas::html_report(sheet, report, pictures, options.title()));
+  if (!options.picture.empty()) {
+    const Atlas::Image page =
+        Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(pictures.view.height), culprits);
+    outputs.add(options.picture, Atlas::png_bytes(side_by_side(page, pictures.view)));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> write_outputs(const Options& options, Input& input,
+                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution)
+{
+  Outputs outputs;
+  Atlas::Polygon_soup& model = input.models.whole();
+  const fs::path output = options.output;
+  const bool is_device = fs::exists(output) && !fs::is_regular_file(output); // then nothing lies beside it
+  if (is_device) {
+    outputs.add(output, Atlas::obj_text(model, ""));
+  } else {
+    const Baker bake(options, model, input.source, execution);
+    const Textures textures = texture_of_model(options, model, bake);
+    if (options.has(Bake::colors))
+      model.colors.clear(); // they are in the texture now
+    add_models(outputs, options, input.models, textures);
+    for (const Bake what : {Bake::normals, Bake::occlusion})
+      if (options.has(what)) {
+        const Textures further = bake(what);
+        add_textures(outputs, output, pngs_of(further), further.suffix);
+      }
+    add_pictures(outputs, options, model, textures, report);
+  }
+  Atlas::Json json = description(options, input.models);
+  json.update(to_json(report));
+  if (!is_device || !options.report.empty())
+    outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
+                Atlas::json_text(json));
+  if (!execution.proceed(1))
+    return {};
+  return outputs.commit();
+}

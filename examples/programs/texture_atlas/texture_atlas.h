@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What the parts of the program share.
+#ifndef TEXTURE_ATLAS_H
+#define TEXTURE_ATLAS_H
+
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/image/Source_textures.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/soup/Joined_soups.h>
+#include <Atlas/soup/Polygon_soup.h>
+
+#include "packing_options.h"
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What the texture of the model shows, or a further picture beside it.
+enum class Bake { colors, texture, normals, occlusion };
+
+struct Options : Packing_options
+{
+  std::vector<std::string> meshes; ///< files to read
+  std::string output, report, picture;
+  std::string mode = "standard", measure;
+  double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
+  std::size_t max_charts = 0;
+  unsigned threads = 0;
+  std::vector<Bake> bakes;
+  bool keeps_uv = false, separates_materials = false, turns_faces = false, is_quiet = false,
+       shows_progress = false;
+  double time_limit = 0; ///< seconds; 0: none
+
+  bool has(Bake bake) const;
+  /// The meshes, for messages: their files as they were given.
+  std::string name() const;
+  /// The same without folders.
+  std::string title() const;
+  /// The file of each mesh's model. One mesh has the name of the output; of several, each adds its own.
+  std::vector<std::string> models() const;
+};
+
+/// What has been read.
+struct Input
+{
+  Atlas::Joined_soups models;
+  Atlas::Surface surface;        ///< of all of them
+  Atlas::Source_textures source; ///< if they are to be baked
+};
+
+/// Reads all meshes. \throw Atlas::IO_error if one cannot be read, or lacks what has been asked for
+Input read_meshes(const Options& options);
+
+/// Makes the atlas. `uv` gets the coordinates per corner of the model.
+Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,
+                               Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
+                               const std::function<bool(Atlas::Stage, double)>& progress);
+
+/// Writes everything or nothing; nothing once cancelled. Returns the names of what has been written.
+std::vector<std::string> write_outputs(const Options& options, Input& input,
+                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution);
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_CORE_PACKING_H
+#define ATLAS_CORE_PACKING_H
+
+#include <Atlas/core/Kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace Atlas {
+
+/// The default side of a page, in texels.
+inline constexpr Index default_texture_size = 1024;
+/// The default distance between charts, in texels.
+inline constexpr double default_gutter = 2;
+
+/// In which directions charts may be turned.
+enum class Chart_rotation {
+  any,
+  quarter_turns, ///< by multiples of 90 degrees
+  none
+};
+
+/// Which charts may lie on top of each other: copies of one another, up to rounding.
+enum class Chart_stacking {
+  none,
+  copies,             ///< charts that differ by a motion of the plane
+  copies_and_mirrored ///< also charts that differ by a reflection
+};
+
+/// \brief Where a chart goes: x -> s R x + t, after a reflection (x, y) -> (x, -y) if it is mirrored, from
+/// the chart's plane to texels of its page, origin bottom left.
+struct Placement
+{
+  double a = 1, b = 0; ///< the rotation and scale, as the complex number a + ib
+  double x = 0, y = 0; ///< the translation, in texels
+  Index page = 0;
+  bool is_mirrored = false; ///< only charts stacked on one that they are a mirror image of
+
+  Point_2 operator()(const Point_2& p) const
+  {
+    const double px = p.x(), py = is_mirrored ? -p.y() : p.y();
+    return Point_2(a * px - b * py + x, b * px + a * py + y);
+  }
+};
+
+/// \brief What pages have to be like, and what charts may do on them.
+///
+/// Lists with an entry per chart may be empty, which stands for the default for all charts.
+struct Page_options
+{
+  Index width = default_texture_size;  ///< texels
+  Index height = default_texture_size; ///< texels
+  double gutter =
+      default_gutter; ///< least distance between two charts in texels; half of it to the page border
+
+  Index mip_levels = 0; ///< down to this level of a mip-map there is a texel between charts: 2^n on the page
+  Index block = 1;      ///< no two charts share a block of that many texels squared (4 for most compression)
+
+  Index pages = 1;    ///< number of pages that may be filled, when no density is given
+  double density = 0; ///< texels per unit of the charts, on as many pages as that takes; 0: the largest that
+                      ///< fits `pages`
+
+  Chart_rotation rotation = Chart_rotation::any;
+  Chart_stacking stacking = Chart_stacking::none;
+  std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
+  std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places as in their plane
+                                  ///< and move as one; `no_index`: alone
+  /// Per chart: where it stays, in size too, whatever its weight or group; the others are packed around it.
+  /// Locked charts are not checked against each other. Where they leave no room on the only page, there is no
+  /// packing.
+  std::vector<std::optional<Placement>> locked = {};
+
+  /// The distance that is kept between charts, with mip levels and blocks: two points of one block are nearer
+  /// than its diagonal.
+  double effective_gutter() const
+  {
+    const double texels_at_level = mip_levels > 0 ? std::ldexp(1.0, static_cast<int>(mip_levels)) : 0;
+    const double diagonal = block > 1 ? std::sqrt(2.0) * block : 0;
+    return std::max({gutter, texels_at_level, diagonal});
+  }
+};
+
+/// \brief The result of a packer. All charts share one density, but for their weights; only their places
+/// differ.
+struct Packing
+{
+  std::vector<Placement> placements; ///< per chart
+  Index number_of_pages = 0;
+  double density = 0; ///< texels per unit of the charts' coordinates
+  double gutter = 0;  ///< what was kept: less than asked for only where a page has no room for so many charts
+  std::vector<Index> layers = {}; ///< per chart: how many charts that it is a copy of lie below it, at the
+                                  ///< same place; empty: none are stacked
+};
+
+/// The number of a page in the UDIM scheme: ten tiles a row, from 1001 on.
+inline Index udim_tile(Index page)
+{
+  return 1001 + page % 10 + 10 * (page / 10);
+}
+
+} // namespace Atlas
+
+#endif

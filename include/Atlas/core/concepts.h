@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_CORE_CONCEPTS_H
+#define ATLAS_CORE_CONCEPTS_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Packing.h>
+#include <Atlas/core/Surface.h>
+
+#include <concepts>
+#include <span>
+#include <vector>
+
+namespace Atlas {
+
+/// \brief Decides which triangles belong together and where charts are cut open.
+///
+/// `segment()` assigns every triangle of the surface to a chart. The charts need not be discs, connected, or
+/// respect input polygons, constraints and patches: `cut_to_discs()` sees to that afterwards, for every
+/// model.
+template <typename S>
+concept ChartSegmentation = requires(const S& s, const Surface& surface, const Execution& execution)
+{
+  {
+    s.segment(surface, execution)
+    } -> std::same_as<Segmentation>;
+};
+
+/// \brief Flattens one chart that is a disc: fills `chart.uv`, one finite point for each vertex, or tells why
+/// not.
+template <typename P>
+concept ChartParameterizer = requires(const P& p, Chart& chart, const Execution& execution)
+{
+  {
+    p.parameterize(chart, execution)
+    } -> std::same_as<Chart_status>;
+};
+
+/// \brief Lowers the distortion of a flattened chart. A chart that was one-to-one stays so.
+template <typename O>
+concept UVOptimizer = requires(const O& o, Chart& chart, const Execution& execution)
+{
+  {
+    o.optimize(chart, execution)
+    } -> std::same_as<Chart_status>;
+};
+
+/// \brief Whether a chart is acceptable, and what is to blame if it is not.
+struct Chart_verdict
+{
+  Chart_status status = Chart_status::valid;
+  std::vector<Index> culprits; ///< triangles of the chart to blame, sorted; empty for a valid chart
+
+  bool is_valid() const { return status == Chart_status::valid; }
+};
+
+/// \brief Accepts a flattened chart or splits it.
+///
+/// `split()` is called for a chart that `validate()` refused, with that verdict. It gives each triangle a
+/// part number 0, 1, ... with at least two parts whenever the chart has more than one triangle; the parts
+/// need be neither connected nor discs.
+template <typename V>
+concept ChartValidator = requires(const V& v, const Chart& chart, const Chart_verdict& verdict,
+                                  const Execution& execution)
+{
+  {
+    v.validate(chart, execution)
+    } -> std::same_as<Chart_verdict>;
+  {
+    v.split(chart, verdict)
+    } -> std::same_as<std::vector<Index>>;
+};
+
+/// \brief Places flattened charts on pages without overlap, keeping the gutter, with one density for all.
+///
+/// The charts' `uv` are in the unit of the model: the packer turns, moves and scales all of them alike.
+template <typename K>
+concept ChartPacker = requires(const K& k, std::span<const Chart> charts, const Page_options& page,
+                               const Execution& execution)
+{
+  {
+    k.pack(charts, page, execution)
+    } -> std::same_as<Packing>;
+};
+
+} // namespace Atlas
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_CORE_INTERNAL_HALFEDGES_H
+#define ATLAS_CORE_INTERNAL_HALFEDGES_H
+
+#include <Atlas/core/Kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Pairs halfedges that run between the same two vertices in opposite directions, where there are exactly two
+/// of them; all others keep what they have. `tail(h)` and `head(h)` give vertex numbers. Halfedges listed in
+/// `candidates` take part. O(n log n).
+template <typename Tail, typename Head>
+void pair_halfedges(const std::vector<Index>& candidates, Tail tail, Head head, std::vector<Index>& opposite)
+{
+  std::vector<std::pair<std::uint64_t, Index>> edges;
+  edges.reserve(candidates.size());
+  for (const Index h : candidates) {
+    const std::uint64_t a = tail(h), b = head(h);
+    if (a != b)
+      edges.emplace_back(std::min(a, b) << 32 | std::max(a, b), h);
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i + 1;
+    while (j < edges.size() && edges[j].first == edges[i].first)
+      ++j;
+    const Index g = edges[i].second;
+    if (j - i == 2 && tail(g) == head(edges[i + 1].second)) {
+      opposite[g] = edges[i + 1].second;
+      opposite[edges[i + 1].second] = g;
+    }
+    i = j;
+  }
+}
+
+/// Per halfedge 3t+i of an indexed mesh: the halfedge on the other side, or `no_index` at the border and at
+/// edges that are not shared by exactly two consistently oriented triangles.
+inline std::vector<Index> opposite_halfedges(const std::vector<std::array<Index, 3>>& triangles)
+{
+  std::vector<Index> opposite(3 * triangles.size(), no_index), all(3 * triangles.size());
+  for (Index h = 0; h < all.size(); ++h)
+    all[h] = h;
+  const auto tail = [&](Index h) { return triangles[h / 3][h % 3]; };
+  pair_halfedges(
+      all, tail, [&](Index h) { return tail(next_halfedge(h)); }, opposite);
+  return opposite;
+}
+
+/// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned
+/// across.
+template <typename IsSeam>
+Index next_on_border(const std::vector<Index>& opposite, Index h, IsSeam is_seam)
+{
+  Index g = next_halfedge(h);
+  while (!is_seam(g))
+    g = next_halfedge(opposite[g]);
+  return g;
+}
+
+/// The border halfedges of an indexed mesh as closed loops, each in the direction of its triangles (the
+/// surface on the left). A vertex that the border passes twice is left along the same fan of triangles.
+inline std::vector<std::vector<Index>> border_loops(const std::vector<Index>& opposite)
+{
+  std::vector<std::vector<Index>> loops;
+  std::vector<bool> visited(opposite.size(), false);
+  for (Index start = 0; start < opposite.size(); ++start) {
+    if (opposite[start] != no_index || visited[start])
+      continue;
+    std::vector<Index> loop;
+    Index h = start;
+    do {
+      visited[h] = true;
+      loop.push_back(h);
+      h = next_halfedge(h);
+      while (opposite[h] != no_index)
+        h = next_halfedge(opposite[h]);
+    } while (h != start);
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+} // namespace Atlas::internal
+
+#endif

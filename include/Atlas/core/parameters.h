@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_CORE_PARAMETERS_H
+#define ATLAS_CORE_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace Atlas {
+
+namespace internal {
+struct texture_size_t
+{};
+struct gutter_t
+{};
+struct page_options_t
+{};
+struct mode_t
+{};
+struct merge_options_t
+{};
+struct max_charts_t
+{};
+struct min_chart_texels_t
+{};
+struct hard_angle_t
+{};
+struct seam_cost_map_t
+{};
+struct forbidden_seam_map_t
+{};
+struct face_weight_map_t
+{};
+struct segmentation_t
+{};
+struct parameterizer_t
+{};
+struct optimizer_t
+{};
+struct validator_t
+{};
+struct packer_t
+{};
+struct number_of_threads_t
+{};
+struct progress_t
+{};
+struct face_chart_map_t
+{};
+struct face_page_map_t
+{};
+struct edge_seam_map_t
+{};
+} // namespace internal
+
+/// \brief A pack of named parameters: CGAL's, with Atlas's names added.
+///
+/// Packs are chained with dots, Atlas's names first:
+/// `parameters::texture_size(1024).gutter(2).vertex_point_map(m)`; after a name of CGAL's only names of
+/// CGAL's can follow.
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack::Pack;
+
+  /// Side of the square page in texels; default `default_texture_size`.
+  template <typename K>
+  auto texture_size(const K& k) const
+  {
+    return with<internal::texture_size_t>(k);
+  }
+  /// Least distance between charts in texels; default `default_gutter`.
+  template <typename K>
+  auto gutter(const K& k) const
+  {
+    return with<internal::gutter_t>(k);
+  }
+  /// All of `Page_options` at once; `texture_size` and `gutter` prevail over it.
+  template <typename K>
+  auto page_options(const K& k) const
+  {
+    return with<internal::page_options_t>(k);
+  }
+  /// What matters most: an `Atlas_mode`; default `Atlas_mode::standard`. Policies that are given prevail.
+  template <typename K>
+  auto mode(const K& k) const
+  {
+    return with<internal::mode_t>(k);
+  }
+  /// When charts merge in the default segmentation: `Merge_options`; default: those of the mode.
+  template <typename K>
+  auto merge_options(const K& k) const
+  {
+    return with<internal::merge_options_t>(k);
+  }
+  /// Merging goes on past the bound on distortion until there are at most so many charts, as far as discs,
+  /// patches and seams allow; default 0: no such wish.
+  template <typename K>
+  auto max_charts(const K& k) const
+  {
+    return with<internal::max_charts_t>(k);
+  }
+  /// Charts of fewer texels, about, join a neighbour even past the bound; default 0: no such wish.
+  template <typename K>
+  auto min_chart_texels(const K& k) const
+  {
+    return with<internal::min_chart_texels_t>(k);
+  }
+  /// Edges at which normals turn by more than so many degrees, in (0, 180], become seams; default: none.
+  template <typename K>
+  auto hard_angle(const K& k) const
+  {
+    return with<internal::hard_angle_t>(k);
+  }
+  /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
+  /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
+  template <typename K>
+  auto seam_cost_map(const K& k) const
+  {
+    return with<internal::seam_cost_map_t>(k);
+  }
+  /// A readable map of Booleans from edges: those that must not be seams, as far as topology allows.
+  template <typename K>
+  auto forbidden_seam_map(const K& k) const
+  {
+    return with<internal::forbidden_seam_map_t>(k);
+  }
+  /// How much more texels a face gets than others: a readable map of positive numbers from faces; 1 is usual.
+  /// A chart's density is that of the atlas times the mean of its faces' weights, by area in space, but no
+  /// chart becomes smaller than about a texel. To have the weights of every face to the letter, give
+  /// `face_patch_map` too, so that no chart has faces of different weights.
+  template <typename K>
+  auto face_weight_map(const K& k) const
+  {
+    return with<internal::face_weight_map_t>(k);
+  }
+  /// A model of `ChartSegmentation`.
+  template <typename K>
+  auto segmentation(const K& k) const
+  {
+    return with<internal::segmentation_t>(k);
+  }
+  /// A model of `ChartParameterizer`.
+  template <typename K>
+  auto parameterizer(const K& k) const
+  {
+    return with<internal::parameterizer_t>(k);
+  }
+  /// A model of `UVOptimizer`.
+  template <typename K>
+  auto optimizer(const K& k) const
+  {
+    return with<internal::optimizer_t>(k);
+  }
+  /// A model of `ChartValidator`.
+  template <typename K>
+  auto validator(const K& k) const
+  {
+    return with<internal::validator_t>(k);
+  }
+  /// A model of `ChartPacker`.
+  template <typename K>
+  auto packer(const K& k) const
+  {
+    return with<internal::packer_t>(k);
+  }
+  /// Number of threads; default 0, all cores. The result does not depend on it.
+  template <typename K>
+  auto number_of_threads(const K& k) const
+  {
+    return with<internal::number_of_threads_t>(k);
+  }
+  /// A callable `bool(Stage, double fraction)`; called from one thread at a time; returning `false` cancels.
+  template <typename K>
+  auto progress(const K& k) const
+  {
+    return with<internal::progress_t>(k);
+  }
+  /// Output: a writable face map of integers, the chart of each face, in [0, number of charts); -1 for
+  /// rejected faces.
+  template <typename K>
+  auto face_chart_map(const K& k) const
+  {
+    return with<internal::face_chart_map_t>(k);
+  }
+  /// Output: a writable face map of integers, the page of each face.
+  template <typename K>
+  auto face_page_map(const K& k) const
+  {
+    return with<internal::face_page_map_t>(k);
+  }
+  /// Output: a writable edge map of Booleans, whether the edge is a seam.
+  template <typename K>
+  auto edge_seam_map(const K& k) const
+  {
+    return with<internal::edge_seam_map_t>(k);
+  }
+
+private:
+  template <typename New_tag, typename K>
+  Named_parameters<K, New_tag, Pack> with(const K& k) const
+  {
+    return Named_parameters<K, New_tag, Pack>(k, *this);
+  }
+};
+
+/// \brief The names of Atlas as functions that start a pack. See `Named_parameters` for each of them.
+namespace parameters {
+
+// clang-format off
+template <typename K> auto texture_size(const K& k) { return Named_parameters<K, internal::texture_size_t>(k); }
+template <typename K> auto gutter(const K& k) { return Named_parameters<K, internal::gutter_t>(k); }
+template <typename K> auto page_options(const K& k) { return Named_parameters<K, internal::page_options_t>(k); }
+template <typename K> auto mode(const K& k) { return Named_parameters<K, internal::mode_t>(k); }
+template <typename K> auto merge_options(const K& k) { return Named_parameters<K, internal::merge_options_t>(k); }
+template <typename K> auto max_charts(const K& k) { return Named_parameters<K, internal::max_charts_t>(k); }
+template <typename K> auto min_chart_texels(const K& k) { return Named_parameters<K, internal::min_chart_texels_t>(k); }
+template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
+template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
+template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
+template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }
+template <typename K> auto segmentation(const K& k) { return Named_parameters<K, internal::segmentation_t>(k); }
+template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
+template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }
+template <typename K> auto validator(const K& k) { return Named_parameters<K, internal::validator_t>(k); }
+template <typename K> auto packer(const K& k) { return Named_parameters<K, internal::packer_t>(k); }
+template <typename K> auto number_of_threads(const K& k) { return Named_parameters<K, internal::number_of_threads_t>(k); }
+template <typename K> auto progress(const K& k) { return Named_parameters<K, internal::progress_t>(k); }
+template <typename K> auto face_chart_map(const K& k) { return Named_parameters<K, internal::face_chart_map_t>(k); }
+template <typename K> auto face_page_map(const K& k) { return Named_parameters<K, internal::face_page_map_t>(k); }
+template <typename K> auto edge_seam_map(const K& k) { return Named_parameters<K, internal::edge_seam_map_t>(k); }
+// clang-format on
+
+/// A pack in which everything has its default.
+inline auto default_values()
+{
+  return CGAL::parameters::default_values();
+}
+
+} // namespace parameters
+
+} // namespace Atlas
+
+#endif

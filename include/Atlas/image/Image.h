@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IMAGE_IMAGE_H
+#define ATLAS_IMAGE_IMAGE_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace Atlas {
+
+/// Red, green, blue in [0, 255].
+using Color = std::array<std::uint8_t, 3>;
+
+/// \brief How large a picture or a page is, in pixels or texels. One number stands for a square.
+struct Image_size
+{
+  std::size_t width = 0, height = 0;
+
+  Image_size(std::size_t side) : width(side), height(side) {}
+  Image_size(std::size_t w, std::size_t h) : width(w), height(h) {}
+
+  std::size_t longer_side() const { return std::max(width, height); }
+
+  /// The same shape with a longer side of so many pixels; none has less than one.
+  Image_size with_longer_side(std::size_t side) const
+  {
+    const std::size_t longer = std::max<std::size_t>(longer_side(), 1);
+    const auto scaled = [&](std::size_t n) {
+      return std::max<std::size_t>((2 * n * side + longer) / (2 * longer), 1);
+    };
+    return {scaled(width), scaled(height)};
+  }
+};
+
+/// \brief A picture of 8-bit colours; the first row is the top one.
+struct Image
+{
+  std::size_t width = 0, height = 0; ///< pixels
+  std::vector<Color> pixels;         ///< row by row
+
+  Image() = default;
+  Image(std::size_t w, std::size_t h, const Color& background = {255, 255, 255})
+      : width(w), height(h), pixels(w * h, background)
+  {}
+
+  Color& at(std::size_t x, std::size_t y) { return pixels[y * width + x]; }
+  const Color& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
+};
+
+/// The picture at half the size, every pixel the mean of four. The last row and column of odd sizes are left
+/// out; a side of one pixel stays.
+inline Image halved(const Image& image)
+{
+  const auto half = [](std::size_t n) { return n == 1 ? 1 : n / 2; };
+  Image result(half(image.width), half(image.height));
+  for (std::size_t y = 0; y < result.height; ++y)
+    for (std::size_t x = 0; x < result.width; ++x) {
+      const std::size_t right = std::min(2 * x + 1, image.width - 1),
+                        below = std::min(2 * y + 1, image.height - 1);
+      for (std::size_t k = 0; k < 3; ++k)
+        result.at(x, y)[k] =
+            static_cast<std::uint8_t>((image.at(2 * x, 2 * y)[k] + image.at(right, 2 * y)[k] +
+                                       image.at(2 * x, below)[k] + image.at(right, below)[k] + 2) /
+                                      4);
+    }
+  return result;
+}
+
+/// Copies a picture into another, with its top left corner at (x, y); what sticks out is left out.
+inline void paste(const Image& from, Image& to, std::size_t x, std::size_t y)
+{
+  for (std::size_t j = 0; j < from.height && y + j < to.height; ++j)
+    for (std::size_t i = 0; i < from.width && x + i < to.width; ++i)
+      to.at(x + i, y + j) = from.at(i, j);
+}
+
+} // namespace Atlas
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IMAGE_SOURCE_TEXTURES_H
+#define ATLAS_IMAGE_SOURCE_TEXTURES_H
+
+#include <Atlas/core/Kernel.h>
+#include <Atlas/image/Image.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace Atlas {
+
+/// What is outside of the unit square.
+enum class Texture_wrap { repeat, clamp, mirror };
+
+/// \brief How a material of a file colours faces.
+struct Source_texture
+{
+  Image image;                           ///< its first row belongs to v = 1; empty: the colour alone
+  std::array<double, 3> factor{1, 1, 1}; ///< multiplies the picture, in [0, 1]
+  Texture_wrap wrap_u = Texture_wrap::repeat, wrap_v = Texture_wrap::repeat;
+  std::array<double, 6> transform{1, 0, 0, 0, 1, 0}; ///< (u, v) -> (t0 u + t1 v + t2, t3 u + t4 v + t5)
+
+  Point_2 transformed(const Point_2& p) const
+  {
+    const auto& t = transform;
+    return Point_2(t[0] * p.x() + t[1] * p.y() + t[2], t[3] * p.x() + t[4] * p.y() + t[5]);
+  }
+};
+
+/// \brief The textures of a model, by its own coordinates.
+struct Source_textures
+{
+  std::vector<Source_texture> textures;
+  std::vector<Index> face_texture; ///< per face of the model: its texture, or `no_index`
+};
+
+namespace internal {
+
+/// The pixel that a place on an axis shows.
+inline std::size_t wrapped(double i, std::size_t size, Texture_wrap wrap)
+{
+  const auto n = static_cast<double>(size);
+  switch (wrap) {
+  case Texture_wrap::repeat:
+    i -= n * std::floor(i / n);
+    break;
+  case Texture_wrap::mirror:
+    i -= 2 * n * std::floor(i / (2 * n));
+    i = i < n ? i : 2 * n - 1 - i;
+    break;
+  case Texture_wrap::clamp:
+    break;
+  }
+  return static_cast<std::size_t>(std::clamp(i, 0.0, n - 1));
+}
+
+} // namespace internal
+
+/// \brief The colour of a picture between its pixels, interpolated from the four around; components in
+/// [0, 255]. \pre the picture is not empty, and the place is finite
+inline std::array<double, 3> interpolated(const Image& image, const Point_2& uv,
+                                          Texture_wrap wrap_u = Texture_wrap::repeat,
+                                          Texture_wrap wrap_v = Texture_wrap::repeat)
+{
+  const double x = uv.x() * static_cast<double>(image.width) - 0.5,
+               y = (1 - uv.y()) * static_cast<double>(image.height) - 0.5;
+  const double left = std::floor(x), top = std::floor(y);
+  std::array<double, 3> sum{};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const double weight = (i ? x - left : left + 1 - x) * (j ? y - top : top + 1 - y);
+      const Color& color = image.at(internal::wrapped(left + i, image.width, wrap_u),
+                                    internal::wrapped(top + j, image.height, wrap_v));
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[k] += weight * color[k];
+    }
+  return sum;
+}
+
+} // namespace Atlas
+
+#endif

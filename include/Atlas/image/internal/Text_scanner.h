@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IMAGE_INTERNAL_TEXT_SCANNER_H
+#define ATLAS_IMAGE_INTERNAL_TEXT_SCANNER_H
+
+#include <Atlas/image/IO_error.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace Atlas::internal {
+
+/// The whole file as bytes.
+inline std::string read_whole_file(const std::filesystem::path& path)
+{
+  const auto fail = [&](int error) -> IO_error {
+    return IO_error(path.string() + ": cannot read: " + std::generic_category().message(error));
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.string().c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file)
+    throw fail(errno);
+  std::string bytes;
+  std::error_code ignored;
+  if (const auto size = std::filesystem::file_size(path, ignored); !ignored)
+    bytes.reserve(size);
+  char block[1 << 16];
+  while (const std::size_t n = std::fread(block, 1, sizeof block, file.get()))
+    bytes.append(block, n);
+  if (std::ferror(file.get()))
+    throw fail(errno);
+  if (bytes.empty())
+    throw IO_error(path.string() + ": the file is empty");
+  return bytes;
+}
+
+/// A token as it is shown in an error message: short, printable.
+inline std::string quoted(std::string_view token)
+{
+  std::string result = "'";
+  for (const char c : token.substr(0, 30))
+    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  return result + (token.size() > 30 ? "...'" : "'");
+}
+
+/// Reads a text line by line and token by token; knows where it is when something is wrong.
+class Text_scanner
+{
+public:
+  enum Options { plain = 0, hash_comments = 1, backslash_continues = 2 };
+
+  /// \param text must outlive the scanner
+  Text_scanner(std::string_view text, std::string file_name, int options)
+      : rest_(text), file_name_(std::move(file_name)), options_(options),
+        end_of_line_(text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos
+                         ? '\r'
+                         : '\n')
+  {
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF")
+      rest_.remove_prefix(3);
+  }
+
+  /// Goes to the next line; `false` at the end of the text.
+  bool next_line()
+  {
+    if (rest_.empty())
+      return false;
+    take_physical_line();
+    if (options_ & backslash_continues && ends_in_backslash())
+      join_continued_lines();
+    return true;
+  }
+
+  /// Goes to the next line that has a token; `false` at the end of the text.
+  bool next_filled_line()
+  {
+    while (next_line())
+      if (!at_end())
+        return true;
+    return false;
+  }
+
+  /// Whether nothing but blanks and comment is left of the line.
+  bool at_end()
+  {
+    while (cursor_ != end_ && is_blank(*cursor_))
+      ++cursor_;
+    if (cursor_ != end_ && options_ & hash_comments && *cursor_ == '#')
+      cursor_ = end_;
+    return cursor_ == end_;
+  }
+
+  /// The next token of the line, empty at its end.
+  std::string_view token()
+  {
+    at_end();
+    const char* const begin = cursor_;
+    while (cursor_ != end_ && !is_blank(*cursor_))
+      ++cursor_;
+    return {begin, static_cast<std::size_t>(cursor_ - begin)};
+  }
+
+  /// What is left of the line without blanks at its ends.
+  std::string_view remainder()
+  {
+    at_end();
+    const char* last = end_;
+    while (last != cursor_ && is_blank(last[-1]))
+      --last;
+    const std::string_view result(cursor_, static_cast<std::size_t>(last - cursor_));
+    cursor_ = end_;
+    return result;
+  }
+
+  /// The next token as a number; fails when there is none. Too large numbers are infinite, too small ones 0.
+  double number(const char* what)
+  {
+    if (at_end())
+      fail(std::string(what) + " is missing");
+    double value = 0;
+    const char* const begin = *cursor_ == '+' ? cursor_ + 1 : cursor_;
+    const auto [p, error] = std::from_chars(begin, end_, value);
+    if (error == std::errc::result_out_of_range)
+      value = std::strtod(std::string(begin, p).c_str(), nullptr);
+    else if (error != std::errc())
+      fail(std::string(what) + " is not a number: " + quoted(token()));
+    if (p != end_ && !ends_number(*p))
+      fail(std::string(what) + " is not a number: " + quoted(token()));
+    cursor_ = p;
+    return value;
+  }
+
+  /// An integer at the cursor, which must not be preceded by blanks; `false` if there is none.
+  bool integer_here(long long& value)
+  {
+    const auto [p, error] = std::from_chars(cursor_, end_, value);
+    if (error != std::errc())
+      return false;
+    cursor_ = p;
+    return true;
+  }
+
+  /// The next token as an integer; fails when there is none.
+  long long integer(const char* what)
+  {
+    if (at_end())
+      fail(std::string(what) + " is missing");
+    const char* const begin = cursor_;
+    long long value = 0;
+    if (!integer_here(value) || !at_token_end()) {
+      cursor_ = begin;
+      fail(std::string(what) + " is not an integer: " + quoted(token()));
+    }
+    return value;
+  }
+
+  /// Skips the character if it comes next.
+  bool accept(char c)
+  {
+    if (cursor_ == end_ || *cursor_ != c)
+      return false;
+    ++cursor_;
+    return true;
+  }
+
+  /// Whether the cursor is behind a token that is a number, or several.
+  bool at_token_end() const { return cursor_ == end_ || ends_number(*cursor_); }
+
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    throw IO_error(file_name_ + ":" + std::to_string(line_) + ": " + message);
+  }
+
+  std::size_t line() const { return line_; }
+  std::string_view rest() const { return rest_; }
+
+private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+  /// A comment may follow a number without a blank; a name may have a `#` in it.
+  bool ends_number(char c) const { return is_blank(c) || (c == '#' && options_ & hash_comments); }
+
+  void take_physical_line()
+  {
+    line_ += lines_taken_;
+    lines_taken_ = 1;
+    const void* const found = std::memchr(rest_.data(), end_of_line_, rest_.size());
+    const std::size_t length =
+        found ? static_cast<std::size_t>(static_cast<const char*>(found) - rest_.data()) : rest_.size();
+    cursor_ = rest_.data();
+    end_ = cursor_ + length;
+    rest_.remove_prefix(std::min(rest_.size(), length + 1));
+  }
+
+  bool ends_in_backslash() const
+  {
+    const char* last = end_;
+    while (last != cursor_ && is_blank(last[-1]))
+      --last;
+    return last != cursor_ && last[-1] == '\\';
+  }
+
+  void join_continued_lines()
+  {
+    const std::size_t start = line_;
+    joined_.clear();
+    std::size_t lines = 0;
+    bool is_continued = true;
+    while (is_continued) {
+      ++lines;
+      is_continued = ends_in_backslash();
+      joined_.append(cursor_, end_);
+      if (is_continued)
+        joined_[joined_.find_last_of('\\')] = ' ';
+      if (rest_.empty())
+        break;
+      if (is_continued)
+        take_physical_line();
+    }
+    line_ = start;
+    lines_taken_ = lines;
+    cursor_ = joined_.data();
+    end_ = cursor_ + joined_.size();
+  }
+
+  std::string_view rest_;
+  std::string file_name_, joined_;
+  const char* cursor_ = nullptr;
+  const char* end_ = nullptr;
+  std::size_t line_ = 0, lines_taken_ = 1;
+  int options_;
+  char end_of_line_;
+};
+
+/// Refuses text files with zero bytes, which no text has.
+inline void check_is_text(std::string_view bytes, const std::string& file_name)
+{
+  if (const auto at = bytes.find('\0'); at != std::string_view::npos)
+    throw IO_error(
+        file_name + ":" +
+        std::to_string(1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+        ": not a text file (zero byte at offset " + std::to_string(at) + ")");
+}
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_HORIZON_HORIZON_LAYOUT_H
+#define ATLAS_PACKING_INTERNAL_HORIZON_HORIZON_LAYOUT_H
+
+#include <Atlas/packing/internal/horizon/horizon.h>
+#include <Atlas/packing/internal/pages/scale_search.h>
+#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/planar/internal/convex_hull.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Where each outline of a set is, at one scale.
+struct Layout
+{
+  double scale = 0;
+  double margin = 0; ///< what every chart was grown by
+  std::vector<Vec2> turns, positions;
+};
+
+/// What the horizon of a chart is taken from.
+enum class Horizon_source { outline, rectangle };
+
+/// The turn that puts `direction` upright, as far as it may be turned.
+inline Vec2 upright(Vec2 direction, Chart_rotation rotation)
+{
+  const double l = length(direction);
+  if (rotation == Chart_rotation::none || !(l > 0))
+    return {1, 0};
+  if (rotation == Chart_rotation::quarter_turns)
+    return std::abs(direction.x) > std::abs(direction.y) ? Vec2{0, 1} : Vec2{1, 0};
+  return (1 / l) * Vec2{direction.y, direction.x};
+}
+
+/// Per chart the turn that stands it upright: by its diameter, or by the longer side of its least rectangle.
+inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source,
+                                       Chart_rotation rotation)
+{
+  std::vector<Vec2> turns(outlines.size(), Vec2{1, 0});
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const std::vector<Vec2> hull = convex_hull(outlines.charts[i].points);
+    if (source == Horizon_source::outline) {
+      turns[i] = upright(diameter(hull), rotation);
+      continue;
+    }
+    Vec2 e = least_rectangle_direction(hull);
+    const auto extent = [&](Vec2 direction) {
+      double low = 0, high = 0;
+      for (const Vec2& p : hull) {
+        low = std::min(low, dot(direction, p));
+        high = std::max(high, dot(direction, p));
+      }
+      return high - low;
+    };
+    const Vec2 across{-e.y, e.x};
+    turns[i] = upright(extent(e) >= extent(across) ? e : across, rotation);
+  }
+  return turns;
+}
+
+/// The layout of the paper's section 4 at the largest scale that fits the page, at most `most_scale`; nothing
+/// if even points without a gutter do not.
+inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_options& page,
+                                            Horizon_source source, double most_scale,
+                                            const Execution& execution)
+{
+  const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
+  std::vector<double> heights(outlines.size(), 0.0);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    double low = 0, high = 0;
+    for (const Vec2& p : outlines.charts[i].points) {
+      low = std::min(low, rotated(turns[i], p).y);
+      high = std::max(high, rotated(turns[i], p).y);
+    }
+    heights[i] = high - low;
+  }
+  std::vector<Index> order(outlines.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return heights[i] > heights[j]; });
+
+  std::vector<Horizon_shape> shapes(outlines.size());
+  const auto attempt = [&](double scale, double margin) -> std::optional<Layout> {
+    Layout layout{scale, margin, turns, std::vector<Vec2>(outlines.size())};
+    execution.for_each(outlines.size(), [&](std::size_t i) {
+      if (outlines.charts[i].is_empty())
+        return;
+      shapes[i] = horizon_shape(outlines.charts[i], turns[i], scale, margin);
+      if (source == Horizon_source::rectangle)
+        flatten_horizons(shapes[i]);
+    });
+    Horizon_page sheet(page.width, page.height);
+    for (const Index i : order) {
+      if (outlines.charts[i].is_empty())
+        continue;
+      const std::optional<Vec2> corner = sheet.insert(shapes[i]);
+      if (!corner || execution.is_cancelled())
+        return std::nullopt;
+      layout.positions[i] = *corner + shapes[i].origin;
+    }
+    return layout;
+  };
+  // Thousands of charts on a large page are not worth ten attempts.
+  const double precision = double(outlines.size()) * page.width > 1e7 ? 5e-3 : 1e-3;
+  return search_scale(outlines, page, most_scale, precision, attempt);
+}
+
+} // namespace Atlas::internal
+
+#endif

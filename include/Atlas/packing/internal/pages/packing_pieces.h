@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_PAGES_PACKING_PIECES_H
+#define ATLAS_PACKING_INTERNAL_PAGES_PACKING_PIECES_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Packing.h>
+#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/packing/internal/shapes/simplify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// A motion of the plane, after a reflection (x, y) -> (x, -y) if it is mirrored.
+struct Motion_2
+{
+  Vec2 turn{1, 0}, shift;
+  bool is_mirrored = false;
+
+  Vec2 operator()(Vec2 p) const { return rotated(turn, is_mirrored ? Vec2{p.x, -p.y} : p) + shift; }
+};
+
+/// The border of a chart that is a disc, as a closed polygon about its centre of gravity, and what must be
+/// equal for two charts to be copies.
+struct Congruence_key
+{
+  std::vector<Vec2> border;
+  Vec2 centre;
+  std::size_t vertices = 0, triangles = 0;
+  double area = 0, radius = 0;
+};
+
+inline std::optional<Congruence_key> congruence_key(const Chart& chart)
+{
+  Outline outline;
+  const Chart_extent extent = extent_of(chart);
+  outline.centre = extent.centre;
+  build_outline(chart, 1, outline);
+  const auto chains = chains_of(outline);
+  if (chains.size() != 1 || chains[0].size() < 4 || chains[0].front() != chains[0].back() ||
+      !(outline.area > 0))
+    return std::nullopt;
+  Congruence_key key{{},           outline.centre, chart.uv.size(), chart.triangles.size(),
+                     outline.area, outline.radius};
+  for (std::size_t i = 0; i + 1 < chains[0].size(); ++i)
+    key.border.push_back(outline.points[chains[0][i]]);
+  return key;
+}
+
+/// The motion that takes the border `from` to the border `to` within 1e-4 of the radius, if there is one.
+/// Chains start at their point farthest from the centre, so few starts come into question.
+inline std::optional<Motion_2> congruence(const Congruence_key& from, const Congruence_key& to,
+                                          bool is_mirrored)
+{
+  const std::size_t n = to.border.size();
+  const double tolerance = 1e-4 * to.radius;
+  if (from.border.size() != n || from.vertices != to.vertices || from.triangles != to.triangles ||
+      std::abs(from.radius - to.radius) > tolerance || std::abs(from.area - to.area) > 1e-3 * to.area)
+    return std::nullopt;
+  std::vector<Vec2> border = from.border;
+  if (is_mirrored) {
+    for (Vec2& p : border)
+      p.y = -p.y;
+    std::reverse(border.begin(), border.end());
+  }
+  int starts = 0;
+  for (std::size_t k = 0; k < n && starts < 64; ++k) {
+    if (std::abs(length(border[k]) - length(to.border[0])) > tolerance)
+      continue;
+    ++starts;
+    const Vec2 p = border[k], q = to.border[0];
+    Vec2 turn{dot(p, q), cross(p, q)};
+    turn = (1 / length(turn)) * turn;
+    bool is_equal = true;
+    for (std::size_t i = 0; i < n && is_equal; ++i)
+      is_equal = length(rotated(turn, border[(k + i) % n]) - to.border[i]) <= tolerance;
+    if (!is_equal)
+      continue;
+    Motion_2 motion{turn, {}, is_mirrored};
+    motion.shift = to.centre - motion(from.centre);
+    return motion;
+  }
+  return std::nullopt;
+}
+
+/// What is packed in place of the charts: charts in the size their weight asks for, groups as one piece,
+/// copies once.
+class Packing_pieces
+{
+public:
+  Packing_pieces(std::span<const Chart> charts, const Page_options& options, const Execution& execution)
+      : original_(charts), is_plain_(options.weights.empty() && options.groups.empty() &&
+                                     options.stacking == Chart_stacking::none)
+  {
+    if (is_plain_)
+      return;
+    make_pieces(options);
+    if (options.stacking != Chart_stacking::none)
+      stack(options.stacking == Chart_stacking::copies_and_mirrored, execution);
+  }
+
+  std::span<const Chart> charts() const { return is_plain_ ? original_ : std::span<const Chart>(pieces_); }
+
+  /// The placement of a chart, given those of the pieces.
+  Placement placement(std::size_t chart, const std::vector<Placement>& placements) const
+  {
+    if (is_plain_)
+      return placements[chart];
+    const Membership& m = members_[chart];
+    const Placement& p = placements[m.piece];
+    const Vec2 a = rotated({p.a, p.b}, m.motion.turn), t = rotated({p.a, p.b}, m.motion.shift);
+    return {a.x * m.weight, a.y * m.weight, t.x + p.x, t.y + p.y, p.page, m.motion.is_mirrored};
+  }
+
+  /// How many copies of a chart lie below it.
+  Index layer(std::size_t chart) const { return is_plain_ ? 0 : members_[chart].layer; }
+
+private:
+  /// The chart, scaled by its weight and moved, is part of the piece.
+  struct Membership
+  {
+    Index piece = 0, layer = 0;
+    double weight = 1;
+    Motion_2 motion;
+  };
+
+  static double weight_of(const Page_options& options, std::size_t i)
+  {
+    const double w = i < options.weights.size() ? options.weights[i] : 1;
+    return w > 0 && w < HUGE_VAL ? w : 1;
+  }
+
+  void make_pieces(const Page_options& options)
+  {
+    members_.resize(original_.size());
+    std::map<Index, Index> piece_of_group;
+    for (std::size_t i = 0; i < original_.size(); ++i) {
+      const Index group = i < options.groups.size() ? options.groups[i] : no_index;
+      const Index next = static_cast<Index>(pieces_.size());
+      const auto [it, is_new] =
+          group == no_index ? std::pair(piece_of_group.end(), true) : piece_of_group.try_emplace(group, next);
+      if (is_new) {
+        pieces_.emplace_back();
+        is_single_.push_back(group == no_index);
+      }
+      members_[i].piece = is_new ? next : it->second;
+      // The charts of a group keep their mutual places, so they have the weight of the first.
+      members_[i].weight = is_new ? weight_of(options, i) : weight_of_piece_[it->second];
+      if (is_new)
+        weight_of_piece_.push_back(members_[i].weight);
+      append(original_[i], members_[i].weight, pieces_[members_[i].piece]);
+    }
+  }
+
+  static void append(const Chart& chart, double weight, Chart& piece)
+  {
+    const Index base = static_cast<Index>(piece.uv.size());
+    for (const Point_2& p : chart.uv)
+      piece.uv.emplace_back(weight * p.x(), weight * p.y());
+    for (const auto& [a, b, c] : chart.triangles)
+      piece.triangles.push_back({base + a, base + b, base + c});
+  }
+
+  /// Leaves one piece of all copies. A piece is compared with the last few of the same numbers and about the
+  /// same area: O(n log n) in all.
+  void stack(bool is_mirroring_allowed, const Execution& execution)
+  {
+    std::vector<std::optional<Congruence_key>> keys(pieces_.size());
+    execution.for_each(pieces_.size(), [&](std::size_t i) {
+      if (is_single_[i])
+        keys[i] = congruence_key(pieces_[i]);
+    });
+    std::vector<Index> order;
+    for (Index i = 0; i < keys.size(); ++i)
+      if (keys[i])
+        order.push_back(i);
+    const auto rank = [&](Index i) {
+      return std::tuple(keys[i]->border.size(), keys[i]->triangles, keys[i]->area, i);
+    };
+    std::sort(order.begin(), order.end(), [&](Index i, Index j) { return rank(i) < rank(j); });
+    std::vector<std::pair<Index, Motion_2>> copy_of(pieces_.size(), {no_index, {}});
+    std::vector<Index> models;
+    for (const Index i : order) {
+      bool is_copy = false;
+      for (std::size_t k = 0; k < 32 && k < models.size() && !is_copy; ++k) {
+        const Index model = models[models.size() - 1 - k];
+        std::optional<Motion_2> motion = congruence(*keys[i], *keys[model], false);
+        if (!motion && is_mirroring_allowed)
+          motion = congruence(*keys[i], *keys[model], true);
+        if (motion) {
+          copy_of[i] = {model, *motion};
+          is_copy = true;
+        }
+      }
+      if (!is_copy)
+        models.push_back(i);
+    }
+    drop_copies(copy_of);
+  }
+
+  void drop_copies(const std::vector<std::pair<Index, Motion_2>>& copy_of)
+  {
+    std::vector<Index> number(pieces_.size(), no_index);
+    Index kept = 0;
+    for (Index i = 0; i < pieces_.size(); ++i)
+      if (copy_of[i].first == no_index) {
+        number[i] = kept;
+        if (kept != i)
+          pieces_[kept] = std::move(pieces_[i]);
+        ++kept;
+      }
+    pieces_.resize(kept);
+    std::vector<Index> copies(copy_of.size(), 0);
+    for (Membership& m : members_) {
+      const auto& [model, motion] = copy_of[m.piece];
+      if (model != no_index) {
+        m.motion = motion;
+        m.layer = ++copies[model];
+      }
+      m.piece = number[model != no_index ? model : m.piece];
+    }
+  }
+
+  std::span<const Chart> original_;
+  bool is_plain_;
+  std::vector<Chart> pieces_;
+  std::vector<bool> is_single_;
+  std::vector<double> weight_of_piece_;
+  std::vector<Membership> members_;
+};
+
+} // namespace Atlas::internal
+
+#endif

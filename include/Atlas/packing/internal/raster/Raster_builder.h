@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_RASTER_RASTER_BUILDER_H
+#define ATLAS_PACKING_INTERNAL_RASTER_RASTER_BUILDER_H
+
+#include <Atlas/core/Execution.h>
+#include <Atlas/packing/internal/raster/Raster_page.h>
+#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/packing/internal/shapes/Packing_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Where each shape is on the page: the turn is relative to the shape's frame.
+struct Shape_layout
+{
+  double scale = 0;
+  std::vector<Vec2> turns, positions;
+};
+
+/// The pixels of a grown, scaled and turned shape.
+///
+/// \param grow   every pixel whose centre is nearer than that is in, in texels
+/// \param pixel  its side in texels
+inline void make_mask(const Packing_shape& shape, double scale, Vec2 turn, double grow, double pixel,
+                      Raster_mask& mask, std::uint64_t& work)
+{
+  constexpr Index ring = Raster_mask::ring_width;
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const Vec2& p : shape.hull) {
+    const Vec2 q = rotated(scale * turn, p);
+    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+  }
+  // Distances of the pixels within the box of the grown shape and a ring around it.
+  const double around = std::max(grow, 0.0) + ring * pixel;
+  const double x0 = std::floor((low.x - around) / pixel), y0 = std::floor((low.y - around) / pixel);
+  const Index nx = static_cast<Index>(std::ceil((high.x + around) / pixel) - x0);
+  const Index ny = static_cast<Index>(std::ceil((high.y + around) / pixel) - y0);
+  std::vector<float> distances(std::size_t(nx) * ny);
+  const Vec2 back{turn.x / scale, -turn.y / scale};
+  const Vec2 step = rotated(back, {pixel, 0});
+  Index left = nx, right = 0, bottom = ny, top = 0, deepest = 0;
+  for (Index j = 0; j < ny; ++j) {
+    Vec2 p = rotated(back, pixel * Vec2{x0 + 0.5, y0 + 0.5 + j});
+    for (Index i = 0; i < nx; ++i, p = p + step) {
+      const float d = static_cast<float>(shape.field.estimate(p) * scale - grow);
+      distances[std::size_t(j) * nx + i] = d;
+      if (d < distances[deepest])
+        deepest = j * nx + i;
+      if (d < 0) {
+        left = std::min(left, i), right = std::max(right, i);
+        bottom = std::min(bottom, j), top = std::max(top, j);
+      }
+    }
+  }
+  work += 10 * std::uint64_t(nx) * ny;
+  if (left > right) { // smaller than a pixel, between the centres
+    distances[deepest] = -1;
+    left = right = deepest % nx;
+    bottom = top = deepest / nx;
+  }
+  mask.width = right - left + 1;
+  mask.height = top - bottom + 1;
+  mask.origin = {-x0 - left, -y0 - bottom};
+  mask.runs.clear();
+  mask.ring_pixels = 0;
+  const Index words = mask.ring_words();
+  mask.ring.assign(std::size_t(words) * (mask.height + 2 * ring), 0);
+  for (Index j = 0; j < mask.height + 2 * ring; ++j) {
+    Index begin = 0;
+    bool is_in = false;
+    for (Index i = 0; i < mask.width + 2 * ring; ++i) {
+      const Index x = left + i - ring, y = bottom + j - ring;
+      const float d = x < nx && y < ny ? distances[std::size_t(y) * nx + x] : HUGE_VALF;
+      if (d >= 0 && d < 1.6 * pixel) {
+        mask.ring[std::size_t(j) * words + i / 64] |= std::uint64_t(1) << (i % 64);
+        ++mask.ring_pixels;
+      }
+      if (d < 0 && !is_in)
+        begin = i;
+      if (d >= 0 && is_in)
+        mask.runs.push_back({j - ring, begin - ring, i - ring});
+      is_in = d < 0;
+    }
+  }
+  std::sort(mask.runs.begin(), mask.runs.end(), [](const auto& a, const auto& b) {
+    const Index l = a.end - a.begin, m = b.end - b.begin;
+    return l != m ? l > m : a.row != b.row ? a.row < b.row : a.begin < b.begin;
+  });
+}
+
+/// The turns that are tried: all multiples of a full turn by their number.
+inline std::vector<Vec2> rotations(Index n)
+{
+  std::vector<Vec2> result;
+  for (Index i = 0; i < n; ++i)
+    result.push_back({std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n)});
+  for (Vec2& r : result) { // quarter turns exactly
+    if (std::abs(r.x) < 1e-9)
+      r = {0, r.y > 0 ? 1.0 : -1.0};
+    if (std::abs(r.y) < 1e-9)
+      r = {r.x > 0 ? 1.0 : -1.0, 0};
+  }
+  return result;
+}
+
+/// The masks of all shapes at some turns, made once for a size of pixel relative to the charts. The scale of
+/// a layout is then that of its page: the fewer pixels, the larger the charts.
+class Raster_masks
+{
+public:
+  /// \param pixel  side of a pixel at `scale`, in texels
+  /// \param grow   what shapes are grown by, in texels
+  Raster_masks(const std::vector<Packing_shape>& shapes, std::vector<Vec2> turns, double scale, double pixel,
+               double grow, const Execution& execution)
+      : turns_(std::move(turns)), scale_(scale), pixel_(pixel), masks_(shapes.size() * turns_.size())
+  {
+    execution.for_each(shapes.size(), [&](std::size_t i) {
+      std::uint64_t work = 0;
+      for (std::size_t r = 0; r < turns_.size(); ++r)
+        make_mask(shapes[i], scale, turns_[r], grow, pixel, masks_[i * turns_.size() + r], work);
+    });
+  }
+
+  std::size_t number_of_shapes() const { return masks_.size() / turns_.size(); }
+  const std::vector<Vec2>& turns() const { return turns_; }
+  const Raster_mask& mask(std::size_t shape, std::size_t turn) const
+  {
+    return masks_[shape * turns_.size() + turn];
+  }
+  /// The side of a pixel, in texels, when charts have that scale.
+  double pixel(double scale) const { return pixel_ * scale / scale_; }
+
+private:
+  std::vector<Vec2> turns_;
+  double scale_, pixel_;
+  std::vector<Raster_mask> masks_;
+};
+
+/// A raster page somewhere on a page of texels.
+struct Raster_frame
+{
+  double pixel;
+  Raster_page page;
+  Vec2 offset; ///< of the raster's lower left corner, in texels
+
+  Raster_frame(double width, double height, double side_of_pixel)
+      : pixel(std::min({side_of_pixel, width, height})),
+        page(static_cast<Index>(width / pixel), static_cast<Index>(height / pixel)),
+        offset{(width - page.columns() * pixel) / 2, (height - page.rows() * pixel) / 2}
+  {}
+
+  /// Where the centre of a chart is whose mask is put at a place.
+  Vec2 position(const Raster_mask& mask, const Raster_page::Place& place) const
+  {
+    const double border = Raster_page::border;
+    return offset + pixel * (mask.origin + Vec2{place.x - border, place.y - border});
+  }
+};
+
+/// Rows in which masks of about the same size were found to have no place any longer.
+class Row_hints
+{
+public:
+  Index first_row(const Raster_mask& mask) const { return rows_[size_class(mask)]; }
+  void note(const Raster_mask& mask, Index row)
+  {
+    const Index back = mask.height + mask.height / 2 + 4;
+    Index& hint = rows_[size_class(mask)];
+    hint = std::max(hint, row > back ? row - back : 0);
+  }
+
+private:
+  static std::size_t size_class(const Raster_mask& mask)
+  {
+    return std::min<std::size_t>(
+        255, static_cast<std::size_t>(4 * std::log2(double(mask.width + 1) * (mask.height + 1))));
+  }
+  std::vector<Index> rows_ = std::vector<Index>(256, 0);
+};
+
+/// Places all shapes in the given order, each where it touches most of what is there; with many shapes, in
+/// the lowest rows that have room. A shape that finds no place moves forward in the order, and all begins
+/// anew, at most `tries` times.
+///
+/// \param empty  the page, empty but for what is not to be moved
+inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, const Raster_frame& empty,
+                                                   double scale, std::vector<Index>& order, int tries,
+                                                   std::uint64_t& work)
+{
+  const std::size_t n = masks.number_of_shapes(), turns = masks.turns().size();
+  const bool is_banded = n > 300;
+  Raster_frame frame = empty;
+  Shape_layout layout{scale, std::vector<Vec2>(n, Vec2{1, 0}), std::vector<Vec2>(n)};
+  Row_hints hints;
+  const auto place = [&](Index i) {
+    Raster_page::Place best;
+    double best_score = -HUGE_VAL;
+    std::size_t best_turn = 0;
+    for (std::size_t r = 0; r < turns; ++r) {
+      const Raster_mask& mask = masks.mask(i, r);
+      const auto found = is_banded
+                             ? frame.page.search(mask, hints.first_row(mask), mask.height / 2 + 2, -1, work)
+                             : frame.page.search(mask, 0, frame.page.rows(), best.score, work);
+      if (!found)
+        continue;
+      const double score = is_banded ? found->score - 2.0 * found->y / frame.page.rows() : found->score;
+      if (score > best_score) {
+        best_score = score;
+        best = *found;
+        best_turn = r;
+      }
+    }
+    if (best.score < 0)
+      return false;
+    const Raster_mask& mask = masks.mask(i, best_turn);
+    frame.page.put(mask, best.x, best.y);
+    hints.note(mask, best.y);
+    layout.turns[i] = masks.turns()[best_turn];
+    layout.positions[i] = frame.position(mask, best);
+    return true;
+  };
+  for (int t = 0; t < tries; ++t) {
+    if (t > 0)
+      frame = empty;
+    hints = Row_hints();
+    std::size_t k = 0;
+    while (k < n && place(order[k]))
+      ++k;
+    if (k == n)
+      return layout;
+    const auto failed = order.begin() + static_cast<std::ptrdiff_t>(k);
+    std::rotate(order.begin() + static_cast<std::ptrdiff_t>(k / 2), failed, failed + 1);
+  }
+  return std::nullopt;
+}
+
+/// Fills a page with the shapes of a layout but for those left out.
+inline void draw_on_raster(Raster_frame& frame, const std::vector<Packing_shape>& shapes,
+                           const Shape_layout& layout, const std::vector<bool>& is_left_out, double grow,
+                           std::uint64_t& work)
+{
+  frame.page.clear();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (is_left_out[i])
+      continue;
+    const Vec2 position = layout.positions[i] - frame.offset;
+    Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+    for (const Vec2& p : shapes[i].hull) {
+      const Vec2 q = position + rotated(layout.scale * layout.turns[i], p);
+      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+      high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+    }
+    const auto index = [&](double v) { return static_cast<long long>(std::floor(v / frame.pixel)); };
+    const Vec2 back{layout.turns[i].x / layout.scale, -layout.turns[i].y / layout.scale};
+    for (long long y = index(low.y - grow); y <= index(high.y + grow); ++y)
+      for (long long x = index(low.x - grow); x <= index(high.x + grow); ++x) {
+        const Vec2 p = frame.pixel * Vec2{double(x) + 0.5, double(y) + 0.5} - position;
+        work += 10;
+        if (shapes[i].field.estimate(rotated(back, p)) * layout.scale < grow)
+          frame.page.put_pixel(x, y);
+      }
+  }
+  frame.page.update();
+}
+
+/// Puts one shape on the page where it touches most; tells whether there is a place.
+inline bool insert_on_raster(Raster_frame& frame, const std::vector<Packing_shape>& shapes, Index i,
+                             const std::vector<Vec2>& turns, Vec2 twist, double grow, Shape_layout& layout,
+                             std::uint64_t& work)
+{
+  Raster_mask mask, best_mask;
+  Raster_page::Place best;
+  for (const Vec2& turn : turns) {
+    const Vec2 t = rotated(twist, turn);
+    make_mask(shapes[i], layout.scale, t, grow, frame.pixel, mask, work);
+    if (const auto found = frame.page.search(mask, 0, frame.page.rows(), best.score, work)) {
+      best = *found;
+      layout.turns[i] = t;
+      layout.positions[i] = frame.position(mask, best);
+      std::swap(mask, best_mask);
+    }
+  }
+  if (best.score < 0)
+    return false;
+  frame.page.put(best_mask, best.x, best.y);
+  return true;
+}
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
+#define ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
+
+#include <Atlas/packing/internal/horizon/horizon_layout.h>
+#include <Atlas/packing/internal/search/Packing_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// How long to search.
+struct Search_budget
+{
+  /// With more charts than this the horizon layout stays: a search takes tens of seconds then.
+  std::size_t max_charts = std::numeric_limits<std::size_t>::max();
+  unsigned searches = 4;            ///< side by side
+  std::uint64_t round = 36'000'000; ///< operations of each search between two looks at the others
+  unsigned rounds = 1;
+
+  /// What that many shapes are worth: few have been tried in every way soon.
+  std::uint64_t round_for(std::size_t shapes) const
+  {
+    return round * std::min<std::size_t>(shapes + 1, 6) / 6;
+  }
+
+  /// Of thousands of shapes half the searches and rounds: one step of a search moves them all, and takes as
+  /// long as many rounds of others.
+  unsigned searches_for(std::size_t shapes) const { return shapes > many_shapes ? searches / 2 : searches; }
+  unsigned rounds_for(std::size_t shapes) const { return shapes > many_shapes ? (rounds + 1) / 2 : rounds; }
+  static constexpr std::size_t many_shapes = 2000;
+};
+
+/// Up to that many shapes look for places by their overlaps; beyond, overlaps of all pairs are too many.
+inline constexpr std::size_t max_shapes_of_exploration = 400;
+/// Up to that many shapes, taking out and putting back gains less than looking for other layouts.
+inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
+
+/// A search whose scale is that much below the best one's has little hope to catch up.
+inline constexpr double most_lag = 0.012;
+
+/// The shapes of the outlines that are not empty, with resolutions that suit the page.
+inline Packing_problem packing_problem(const Outlines& outlines, const Page_options& page,
+                                       const Layout& fallback, const Execution& execution)
+{
+  Packing_problem problem;
+  problem.fallback.scale = fallback.scale;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (!outlines.charts[i].is_empty()) {
+      problem.outlines.push_back(&outlines.charts[i]);
+      problem.fallback.turns.push_back(fallback.turns[i]);
+      problem.fallback.positions.push_back(fallback.positions[i]);
+    }
+  problem.width = page.width;
+  problem.height = page.height;
+  problem.gutter = 2 * fallback.margin;
+  problem.tolerance = 0.05;
+  problem.may_turn = page.rotation == Chart_rotation::any;
+  problem.turns = rotations(problem.may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
+
+  const double side = std::sqrt(problem.width * problem.height);
+  const double scale = std::min(std::sqrt(0.75 * side * side / outlines.area), 1.5 * fallback.scale);
+  Shape_resolution resolution;
+  resolution.tolerance = problem.tolerance / scale;
+  resolution.spacing = side / 256 / scale;
+  resolution.cell = side / 512 / scale;
+  resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
+  resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
+  problem.shapes.resize(problem.outlines.size());
+  execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+    problem.shapes[i] = packing_shape(*problem.outlines[i], resolution, problem.may_turn);
+    Vec2& turn = problem.fallback.turns[i]; // relative to the frame from now on
+    turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
+  });
+  if (problem.shapes.size() <= max_shapes_of_exploration) {
+    problem.coarse.resize(problem.shapes.size());
+    execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+      problem.coarse[i].build(problem.shapes[i], 0.007 * side / scale, 0.2 * side / scale, 48);
+    });
+    if (!problem.may_turn)
+      problem.allowed_turns = problem.turns;
+  }
+  if (execution.is_cancelled())
+    return problem;
+  const std::vector<Vec2> turns = rotations(problem.may_turn                        ? 8
+                                            : page.rotation == Chart_rotation::none ? 1
+                                                                                    : 4);
+  problem.masks.emplace(problem.shapes, turns, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
+                        problem.grown(), execution);
+  return problem;
+}
+
+/// The best layout of several searches at a scale of at most `most_scale`; its scale is 0 if there is none.
+inline Shape_layout search_layout(const Packing_problem& problem, const Search_budget& budget,
+                                  double most_scale, const Execution& execution)
+{
+  const std::size_t n = problem.shapes.size();
+  std::vector<Packing_search> searches;
+  for (unsigned k = 0; k < budget.searches_for(n); ++k)
+    searches.emplace_back(problem, k);
+  const auto best = [&] {
+    return std::max_element(searches.begin(), searches.end(),
+                            [](const auto& a, const auto& b) { return a.best().scale < b.best().scale; });
+  };
+  execution.for_each(searches.size(), [&](std::size_t k) { searches[k].start(execution); });
+  const unsigned rounds = budget.rounds_for(n);
+  for (unsigned r = 0; r < rounds && best()->best().scale < most_scale; ++r) {
+    if (!execution.proceed((r + 1.0) / (rounds + 1)))
+      break;
+    execution.for_each(searches.size(), [&](std::size_t k) {
+      const std::uint64_t limit = searches[k].work() + budget.round_for(n);
+      if (n <= max_shapes_of_pure_exploration || (n <= max_shapes_of_exploration && (r + k) % 2 == 0))
+        searches[k].explore(limit, execution);
+      else
+        searches[k].run(limit, execution);
+    });
+    // Searches that are far behind go on from where the best is.
+    const auto leader = best();
+    for (auto it = searches.begin(); it != searches.end(); ++it)
+      if (it->best().scale < (1 - most_lag) * leader->best().scale)
+        it->restart(leader->best());
+  }
+  const auto winner = best();
+  if (winner->best().scale > most_scale && !winner->shrink(most_scale))
+    return {};
+  return winner->best();
+}
+
+/// The layout of the raster packer at the largest scale it finds, at most `most_scale`; that of the horizon
+/// packer where it finds none that is better.
+inline std::optional<Layout> raster_layout(const Outlines& outlines, const Page_options& page,
+                                           const Search_budget& budget, double most_scale,
+                                           const Execution& execution)
+{
+  std::optional<Layout> result =
+      horizon_layout(outlines, page, Horizon_source::outline, most_scale, execution);
+  if (!result || !(outlines.area > 0) || result->scale >= most_scale || outlines.size() > budget.max_charts ||
+      execution.is_cancelled())
+    return result;
+  const Packing_problem problem = packing_problem(outlines, page, *result, execution);
+  if (execution.is_cancelled())
+    return result;
+  const Shape_layout found = search_layout(problem, budget, most_scale, execution);
+  if (found.scale <= result->scale)
+    return result;
+  result->scale = found.scale;
+  for (std::size_t i = 0, k = 0; i < outlines.size(); ++i)
+    if (!outlines.charts[i].is_empty()) {
+      result->turns[i] = rotated(found.turns[k], problem.shapes[k].frame);
+      result->positions[i] = found.positions[k++];
+    }
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif

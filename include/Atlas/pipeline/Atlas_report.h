@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_ATLAS_REPORT_H
+#define ATLAS_PIPELINE_ATLAS_REPORT_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Flattening_record.h>
+#include <Atlas/core/Stage.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/measure/Distortion_measure.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/validation/Atlas_certificate.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace Atlas {
+
+/// How a run ended.
+enum class Atlas_status {
+  valid,      ///< every face that can has coordinates, and the certificate proves them
+  not_valid,  ///< coordinates are complete, but the certificate names faults
+  no_surface, ///< not one face has an area: there is nothing to map
+  cancelled   ///< the caller asked to stop; the coordinates are untouched
+};
+
+/// A sentence for the user.
+inline const char* message(Atlas_status status)
+{
+  switch (status) {
+  case Atlas_status::valid:
+    return "the atlas is valid";
+  case Atlas_status::not_valid:
+    return "the atlas is not valid";
+  case Atlas_status::no_surface:
+    return "no face of the mesh has an area";
+  case Atlas_status::cancelled:
+    return "the caller asked to stop";
+  }
+  return "unknown status";
+}
+
+/// \brief What became of one chart.
+struct Chart_report
+{
+  Chart_status status =
+      Chart_status::valid; ///< `valid`, or `area_ratio_exceeded` where the bound was given up
+  std::size_t triangles = 0;
+  double area = 0;             ///< in space, squared units of the model
+  Distortion distortion;       ///< up to the chart's own scale
+  bool is_within_bound = true; ///< whether the distortion is at most `Atlas_report::bound`
+  Flattening_record
+      flattening; ///< what was done to flatten it; as by default for parameterizers that do not tell
+};
+
+/// \brief What happened: the answer of `generate_atlas()`.
+struct [[nodiscard]] Atlas_report
+{
+  Atlas_status status = Atlas_status::no_surface;
+
+  std::size_t faces = 0;     ///< of the input
+  std::size_t triangles = 0; ///< after the triangulation of its polygons
+  std::size_t pages = 0;
+  Index page_width = 0, page_height = 0; ///< texels
+  double gutter = 0;                     ///< asked for, texels
+
+  std::vector<Surface::Rejected_face>
+      rejected;                  ///< faces that cannot have coordinates of their own, with the reason
+  std::vector<Index> face_chart; ///< per face of the input: its chart, or `no_index` for a rejected face
+  std::vector<Index> face_page;  ///< per face of the input: its page
+  std::vector<Chart_report> charts;
+  std::size_t split_charts = 0;    ///< how many charts were refused and split on the way
+  std::size_t rejoined_pieces = 0; ///< how many of the pieces were accepted together with a neighbour
+  std::size_t stacked_charts = 0;  ///< how many charts lie on a chart that they are a copy of, as asked for;
+                                   ///< the certificate takes each such layer for a page of its own
+
+  Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
+  std::size_t charts_beyond_bound = 0;
+
+  double area = 0;               ///< of the surface, squared units of the model
+  double seam_length = 0;        ///< units of the model, each seam once
+  Distortion distortion;         ///< of the whole atlas, up to one scale
+  double packing_efficiency = 0; ///< share of the pages that is covered by charts, in [0, 1]
+  double density = 0;            ///< texels per unit of the model
+
+  std::array<double, std::size(all_stages)> seconds{}; ///< wall-clock time of each stage
+  Atlas_certificate certificate;
+
+  bool is_valid() const { return status == Atlas_status::valid; }
+  double total_seconds() const
+  {
+    double sum = 0;
+    for (const double s : seconds)
+      sum += s;
+    return sum;
+  }
+};
+
+} // namespace Atlas
+
+#endif

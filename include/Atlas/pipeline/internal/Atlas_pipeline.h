@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
+#define ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
+
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/internal/mean_weight.h>
+#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/internal/Chart_flattener.h>
+#include <Atlas/pipeline/internal/normalize.h>
+#include <Atlas/pipeline/internal/round_coordinates.h>
+#include <Atlas/pipeline/internal/separate_cut_sides.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/validation/certify.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// What the caller of the pipeline hears: the stage and its fraction in [0, 1]; `false` cancels.
+using Progress = std::function<bool(Stage, double)>;
+
+/// \brief One run from a surface to proved coordinates.
+///
+/// Data flows one way: segmentation -> charts -> flattened charts -> places on pages -> rounded coordinates
+/// -> certificate. Charts that the certificate refuses go back to the flattener.
+template <ChartSegmentation Segmentation_policy, ChartParameterizer Parameterizer, UVOptimizer Optimizer,
+          ChartValidator Validator, ChartPacker Packer>
+class Atlas_pipeline
+{
+public:
+  /// Rounds of packing, rounding and verification before the faults that remain are reported.
+  static constexpr int maximal_page_rounds = 6;
+
+  Atlas_pipeline(const Surface& input, const Segmentation_policy& segmentation,
+                 const Parameterizer& parameterizer, const Optimizer& optimizer, const Validator& validator,
+                 const Packer& packer, const Page_options& page, unsigned threads, Progress progress)
+      : surface_(input), model_(normalize(surface_)), segmentation_policy_(segmentation), packer_(packer),
+        page_(page), execution_(threads), progress_(std::move(progress)),
+        flattener_(surface_, segmentation_, parameterizer, optimizer, validator, execution_)
+  {
+    page_.density *= model_.unit;
+  }
+
+  /// \param corner_uv  per input corner; untouched when the run is cancelled or there is no surface
+  Atlas_report run(std::vector<Point_2>& corner_uv)
+  {
+    describe_input();
+    if (!(report_.area > 0) || !std::isfinite(report_.area))
+      return report_;
+    timed(Stage::segmentation, [&] { segment(); });
+    timed(Stage::parameterization, [&] { flattener_.run(texel(), report_.bound); });
+    for (int round = 0; !execution_.is_cancelled(); ++round) {
+      timed(Stage::packing, [&] { pack(); });
+      std::vector<Index> refused;
+      timed(Stage::verification, [&] { refused = verify(); });
+      bool is_other = false;
+      if (!refused.empty() && round < maximal_page_rounds)
+        timed(Stage::parameterization, [&] { is_other = flattener_.replace(refused, rounding_faults_); });
+      if (!is_other)
+        break;
+    }
+    if (execution_.is_cancelled()) {
+      report_.status = Atlas_status::cancelled;
+      return report_;
+    }
+    summarize();
+    corner_uv = std::move(corner_uv_);
+    return report_;
+  }
+
+  const Segmentation& segmentation() const { return segmentation_; }
+
+private:
+  void describe_input()
+  {
+    report_.faces = surface_.number_of_faces;
+    report_.triangles = surface_.number_of_triangles();
+    report_.rejected = surface_.rejected;
+    report_.page_width = page_.width;
+    report_.page_height = page_.height;
+    report_.gutter = page_.gutter;
+    report_.area = area_3d(surface_);
+    if constexpr (requires { Distortion_bound(segmentation_policy_.bound()); })
+      report_.bound = segmentation_policy_.bound();
+  }
+
+  template <typename Work>
+  void timed(Stage stage, Work&& work)
+  {
+    if (execution_.is_cancelled())
+      return;
+    const auto start = std::chrono::steady_clock::now();
+    if (progress_)
+      execution_ =
+          execution_.with_callback([this, stage](double fraction) { return progress_(stage, fraction); });
+    if (execution_.proceed(0)) {
+      work();
+      (void)execution_.proceed(1);
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    report_.seconds[static_cast<std::size_t>(stage)] += elapsed.count();
+  }
+
+  /// On rounded positions, so that models that are equal but for their scale have the same charts.
+  void segment()
+  {
+    std::vector<Point_3> positions = positions_on_grid(surface_, model_.largest_side);
+    std::swap(surface_.points, positions);
+    segmentation_ = segmentation_policy_.segment(surface_, execution_);
+    if (!execution_.is_cancelled())
+      cut_to_discs(surface_, segmentation_, execution_);
+    std::swap(surface_.points, positions);
+  }
+
+  void pack()
+  {
+    charts_.clear();
+    for (const Flattened_chart& f : flattener_.charts())
+      charts_.push_back(f.chart);
+    if (!surface_.density_weight.empty())
+      page_.weights = chart_weights();
+    packing_ = packer_.pack(charts_, page_, execution_);
+    if (execution_.is_cancelled())
+      return;
+    report_.pages = packing_.number_of_pages;
+    report_.density = packing_.density / model_.unit;
+    face_page_.assign(surface_.number_of_faces, 0);
+    rounding_faults_.assign(charts_.size(), {});
+    execution_.for_each(charts_.size(), [&](std::size_t i) {
+      for (Point_2& p : charts_[i].uv) {
+        const Point_2 texel = packing_.placements[i](p);
+        p = turned_over(i, Point_2(texel.x() / page_.width, texel.y() / page_.height));
+      }
+      rounding_faults_[i] = Grid_rounding(charts_[i])();
+      Cut_side_separator(surface_, segmentation_, charts_[i])();
+    });
+    for (std::size_t i = 0; i < charts_.size(); ++i)
+      for (const Index t : charts_[i].source)
+        face_page_[surface_.face[t]] = packing_.placements[i].page;
+  }
+
+  /// Charts that lie face down, on a mirror image of theirs, are turned over with the page as long as they
+  /// are worked on. Exact on the grid of rounded coordinates.
+  Point_2 turned_over(std::size_t chart, const Point_2& p) const
+  {
+    return packing_.placements[chart].is_mirrored ? Point_2(1 - p.x(), p.y()) : p;
+  }
+
+  /// The mean weight of each chart's triangles, but no chart is made smaller than about a texel by it.
+  std::vector<double> chart_weights() const
+  {
+    std::vector<double> weights(charts_.size(), 1);
+    execution_.for_each(charts_.size(), [&](std::size_t i) {
+      const Chart& chart = charts_[i];
+      const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
+      const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+      weights[i] = mean_weight(surface_, chart);
+      if (extent > 0)
+        weights[i] = std::max(weights[i], std::min(1.0, texel() / extent));
+    });
+    return weights;
+  }
+
+  /// About the side of a texel, in units of the model.
+  double texel() const { return std::sqrt(report_.area / (double(page_.width) * page_.height)); }
+
+  /// The page of each face, where charts that lie on copies of theirs have pages of their own.
+  std::vector<Index> pages_of_layers() const
+  {
+    std::vector<Index> pages = face_page_;
+    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
+      for (const Index t : charts_[i].source)
+        pages[surface_.face[t]] = packing_.placements[i].page + packing_.layers[i] * packing_.number_of_pages;
+    return pages;
+  }
+
+  /// Writes the coordinates to the corners and proves them. Returns the charts to blame, sorted.
+  std::vector<Index> verify()
+  {
+    write_corners();
+    Certificate_options options;
+    options.width = page_.width;
+    options.height = page_.height;
+    options.gutter = page_.gutter;
+    report_.certificate = certify(surface_, corner_uv_, pages_of_layers(), options, execution_);
+    report_.certificate.pages = std::min(report_.certificate.pages, report_.pages);
+    std::vector<bool> refused(charts_.size(), false);
+    for (std::size_t i = 0; i < charts_.size(); ++i)
+      refused[i] = !rounding_faults_[i].empty();
+    const std::vector<Index> face_chart = chart_of_faces();
+    for (const Index face : report_.certificate.culprits)
+      refused[face_chart[face]] = true;
+    std::vector<Index> numbers;
+    for (Index i = 0; i < charts_.size(); ++i)
+      if (refused[i])
+        numbers.push_back(i);
+    return numbers;
+  }
+
+  std::vector<Index> chart_of_faces() const
+  {
+    std::vector<Index> result(surface_.number_of_faces, no_index);
+    for (std::size_t t = 0; t < surface_.face.size(); ++t)
+      result[surface_.face[t]] = segmentation_.chart[t];
+    return result;
+  }
+
+  void write_corners()
+  {
+    const Point_2 nowhere(-1, -1);
+    corner_uv_.assign(surface_.number_of_corners, nowhere);
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      const Chart& chart = charts_[c];
+      for (std::size_t t = 0; t < chart.source.size(); ++t)
+        for (Index i = 0; i < 3; ++i)
+          corner_uv_[surface_.corner[3 * chart.source[t] + i]] =
+              turned_over(c, chart.uv[chart.triangles[t][i]]);
+    }
+    write_idle_corners(nowhere);
+  }
+
+  /// Corners that no triangle uses (of rejected faces, or the second of two equal neighbours) take the
+  /// coordinates of the used corner before them, so that their faces have no area in the plane.
+  void write_idle_corners(const Point_2& nowhere)
+  {
+    Point_2 last(0.5, 0.5);
+    for (Point_2& p : corner_uv_) {
+      if (p == nowhere)
+        p = last;
+      last = p;
+    }
+  }
+
+  void summarize()
+  {
+    report_.split_charts = flattener_.split_charts();
+    report_.rejoined_pieces = flattener_.rejoined_pieces();
+    report_.face_chart = chart_of_faces();
+    report_.face_page = face_page_;
+    report_.seam_length = seam_length(surface_, segmentation_) * model_.unit;
+    report_.charts.resize(charts_.size());
+    std::vector<std::vector<Triangle_distortion>> measured(charts_.size());
+    execution_.for_each(charts_.size(), [&](std::size_t i) {
+      for (Point_2& p : charts_[i].uv)
+        p = Point_2(p.x() * page_.width, p.y() * page_.height);
+      measured[i] = triangle_distortions(charts_[i]);
+      Chart_report& chart = report_.charts[i];
+      chart.status = flattener_.charts()[i].verdict.status;
+      chart.triangles = charts_[i].number_of_triangles();
+      chart.area = area_3d(charts_[i]) * model_.unit * model_.unit;
+      chart.distortion = summarize_distortion(measured[i]);
+      chart.is_within_bound =
+          !(value(chart.distortion, report_.bound.measure) > report_.bound.max) || chart.area == 0;
+      chart.flattening = flattener_.charts()[i].record;
+    });
+    report_.charts_beyond_bound = static_cast<std::size_t>(
+        std::count_if(report_.charts.begin(), report_.charts.end(),
+                      [](const Chart_report& chart) { return !chart.is_within_bound; }));
+    std::vector<Triangle_distortion> all;
+    for (const auto& part : measured)
+      all.insert(all.end(), part.begin(), part.end());
+    report_.distortion = summarize_distortion(all);
+    double covered = report_.distortion.area_uv;
+    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
+      if (packing_.layers[i] > 0) {
+        ++report_.stacked_charts;
+        covered -= report_.charts[i].distortion.area_uv;
+      }
+    report_.packing_efficiency = covered / (double(page_.width) * page_.height * double(report_.pages));
+    report_.area *= model_.unit * model_.unit;
+    report_.status = report_.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
+  }
+
+  Surface surface_;
+  Normalization model_;
+  const Segmentation_policy& segmentation_policy_;
+  const Packer& packer_;
+  Page_options page_;
+  Execution execution_;
+  Progress progress_;
+
+  Segmentation segmentation_;
+  Chart_flattener<Parameterizer, Optimizer, Validator> flattener_;
+  std::vector<Chart> charts_; ///< per chart, on its page, rounded
+  Packing packing_;
+  std::vector<std::vector<Index>> rounding_faults_;
+  std::vector<Index> face_page_;
+  std::vector<Point_2> corner_uv_;
+  Atlas_report report_;
+};
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_CHART_FLATTENER_H
+#define ATLAS_PIPELINE_INTERNAL_CHART_FLATTENER_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/parameterization/Schnyder_parameterizer.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// A chart in the plane, in units of the model, with what the policies said of it.
+struct Flattened_chart
+{
+  Chart chart;
+  Chart_verdict verdict;
+  Flattening_record record;
+};
+
+/// \brief Flattens the charts of a segmentation until each one is accepted.
+///
+/// Charts that are refused, by the validator or later on the page, are split and flattened again; every split
+/// lowers the number of faces in a chart, so that this ends. Pieces may then join other charts.
+template <ChartParameterizer Parameterizer, UVOptimizer Optimizer, ChartValidator Validator>
+class Chart_flattener
+{
+public:
+  /// Splits that only serve the bound on distortion stop after so many rounds; what is left keeps its status.
+  static constexpr int maximal_bound_rounds = 12;
+  /// From this round on refused charts are halved, whatever the validator proposes: then there are at most
+  /// log2(faces) rounds more.
+  static constexpr int first_halving_round = 8;
+  /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
+  static constexpr double share_for_joined_charts = 0.6;
+  /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
+  /// pieces.
+  static constexpr std::size_t work_of_joining = 5;
+  /// Cells across a chart to which its coordinates are snapped.
+  static constexpr double fineness = 4294967296.0;
+
+  /// \param segmentation  is changed where charts are split or joined
+  Chart_flattener(const Surface& surface, Segmentation& segmentation, const Parameterizer& parameterizer,
+                  const Optimizer& optimizer, const Validator& validator, const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), parameterizer_(parameterizer), optimizer_(optimizer),
+        validator_(validator), execution_(execution)
+  {}
+
+  /// \param texel  about the side of a texel in units of the model
+  /// \param bound  the segmentation's
+  void run(double texel, const Distortion_bound& bound)
+  {
+    texel_ = texel;
+    bound_ = bound;
+    std::vector<Index> all(segmentation_.number_of_charts);
+    std::iota(all.begin(), all.end(), Index(0));
+    flatten(std::move(all));
+    rejoin();
+  }
+
+  /// Splits charts that were flattened well but fail on the page, and flattens the pieces.
+  /// \param faults  per chart the triangles that rounding flips
+  /// \return whether any chart is another one now
+  bool replace(const std::vector<Index>& refused, const std::vector<std::vector<Index>>& faults)
+  {
+    std::vector<Index> changed;
+    bool is_any_drawn = false;
+    for (const Index number : refused) {
+      Flattened_chart& f = charts_[number];
+      f.verdict.status = faults[number].empty() ? Chart_status::overlapping : Chart_status::flipped;
+      f.verdict.culprits = faults[number];
+      if (!split(number, f, false, changed))
+        is_any_drawn |= draw_on_grid(f);
+    }
+    if (!changed.empty())
+      flatten(reopen(changed));
+    return !changed.empty() || is_any_drawn;
+  }
+
+  const std::vector<Flattened_chart>& charts() const { return charts_; } ///< as the segmentation numbers them
+  std::size_t split_charts() const { return split_charts_; }
+  std::size_t rejoined_pieces() const { return rejoined_pieces_; }
+
+private:
+  /// Flattens the charts of the given numbers, splitting what is refused, until every chart is accepted.
+  void flatten(std::vector<Index> open)
+  {
+    charts_.resize(segmentation_.number_of_charts);
+    std::size_t done = 0, total = 0;
+    for (const auto& list : lists_of(open))
+      total += list.size();
+    for (int round = 0; !open.empty() && !execution_.is_cancelled(); ++round) {
+      std::vector<Flattened_chart> results = flatten_once(open);
+      std::vector<Index> split;
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        if (is_final(results[i], round)) {
+          done += results[i].chart.number_of_triangles();
+          charts_[open[i]] = std::move(results[i]);
+        } else if (!this->split(open[i], results[i], round >= first_halving_round, split)) {
+          charts_[open[i]] = std::move(results[i]);
+        }
+      }
+      open = reopen(split);
+      (void)execution_.proceed(double(done) / double(std::max<std::size_t>(total, 1)));
+    }
+  }
+
+  bool is_final(const Flattened_chart& result, int round) const
+  {
+    const Chart_status status = result.verdict.status;
+    return status == Chart_status::valid ||
+           (status == Chart_status::area_ratio_exceeded && round >= maximal_bound_rounds);
+  }
+
+  std::vector<Flattened_chart> flatten_once(const std::vector<Index>& open) const
+  {
+    const std::vector<std::vector<Index>> lists = lists_of(open);
+    std::vector<Flattened_chart> results(open.size());
+    std::vector<Index> local(
+        surface_.number_of_triangles()); // charts are disjoint: each writes its own entries
+    execution_.for_each(open.size(), [&](std::size_t i) {
+      results[i] = flatten_chart(extract_chart(surface_, segmentation_, lists[i], local));
+    });
+    return results;
+  }
+
+  Flattened_chart flatten_chart(Chart chart) const
+  {
+    Flattened_chart result{std::move(chart), {}, {}};
+    Chart_verdict& verdict = result.verdict;
+    verdict.status = parameterize(result.chart, result.record);
+    if (verdict.status == Chart_status::valid)
+      verdict.status = optimizer_.optimize(result.chart, execution_);
+    if (verdict.status == Chart_status::valid) {
+      give_area(result.chart);
+      verdict = validator_.validate(result.chart, execution_);
+    }
+    return result;
+  }
+
+  /// Parameterizers may tell what they did.
+  Chart_status parameterize(Chart& chart, Flattening_record& record) const
+  {
+    if constexpr (requires { parameterizer_.parameterize(chart, execution_, record); })
+      return parameterizer_.parameterize(chart, execution_, record);
+    else
+      return parameterizer_.parameterize(chart, execution_);
+  }
+
+  /// Scales the chart to its area in space; but to no less than about a texel, so that tiny and needle-thin
+  /// charts get texels of their own and do not collapse when coordinates are rounded.
+  void give_area(Chart& chart) const
+  {
+    const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
+    const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (!(extent > 0) || !std::isfinite(extent))
+      return;
+    const double in_plane = std::abs(area_uv(chart)) / extent / extent;
+    const double side = std::max(texel_, in_plane > 0 ? std::sqrt(area_3d(chart) / in_plane) : 0.0);
+    const auto snap = [&](double x) { return std::round(x / extent * fineness) / fineness * side; };
+    for (Point_2& p : chart.uv)
+      p = Point_2(snap(p.x() - box.xmin()), snap(p.y() - box.ymin()));
+  }
+
+  /// Gives pieces of refused charts to charts that stay within the bound with them, or get no worse.
+  void rejoin()
+  {
+    std::vector<Index> pieces;
+    for (Index c = 0; c < is_piece_.size(); ++c)
+      if (is_piece_[c])
+        pieces.push_back(c);
+    if (pieces.empty() || execution_.is_cancelled())
+      return;
+    const auto accept = [&](const Flattened_chart& joined, const Flattened_chart& a,
+                            const Flattened_chart& b) {
+      return joined.verdict.is_valid() && is_no_worse(joined.chart, a.chart, b.chart);
+    };
+    const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
+    rejoined_pieces_ =
+        Fragment_merger(surface_, segmentation_, charts_, flatten, accept, work_of_joining, execution_)
+            .run(pieces);
+    close_gaps(segmentation_, charts_);
+  }
+
+  /// Whether a chart has no more distortion than the two it came from have on average, or keeps well within
+  /// the bound.
+  bool is_no_worse(const Chart& joined, const Chart& a, const Chart& b) const
+  {
+    const auto distortion = [&](const Chart& chart) {
+      return value(measure_distortion(chart), bound_.measure);
+    };
+    const double area_a = area_3d(a), area_b = area_3d(b);
+    const double mean = (area_a * distortion(a) + area_b * distortion(b)) / (area_a + area_b);
+    // Means hide what is bad near the piece.
+    const double share = is_mean(bound_.measure) ? share_for_joined_charts : 1;
+    return distortion(joined) <= std::max(mean, 1 + share * (bound_.max - 1));
+  }
+
+  /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
+  /// the chart is a single face, which cannot be split.
+  bool split(Index number, const Flattened_chart& refused, bool is_halved, std::vector<Index>& changed)
+  {
+    const std::vector<Index>& source = refused.chart.source;
+    if (surface_.face[source.front()] == surface_.face[source.back()])
+      return false;
+    std::vector<Index> parts;
+    if (!is_halved)
+      parts = whole_face_parts(source, validator_.split(refused.chart, refused.verdict));
+    if (std::all_of(parts.begin(), parts.end(), [&](Index part) { return part == parts.front(); }))
+      parts = halves(source);
+    std::vector<Index> names; // of the parts, in the order of their first triangle
+    for (std::size_t i = 0; i < source.size(); ++i) {
+      if (names.size() <= parts[i])
+        names.resize(parts[i] + 1, no_index);
+      Index& name = names[parts[i]];
+      if (name == no_index) {
+        name = i == 0 ? number : segmentation_.number_of_charts++;
+        changed.push_back(name);
+      }
+      segmentation_.chart[source[i]] = name;
+    }
+    ++split_charts_;
+    return true;
+  }
+
+  /// The part of a face is that of its first triangle. The triangles of a face follow each other.
+  std::vector<Index> whole_face_parts(const std::vector<Index>& source, std::vector<Index> parts) const
+  {
+    for (std::size_t i = 1; i < source.size(); ++i)
+      if (surface_.face[source[i]] == surface_.face[source[i - 1]])
+        parts[i] = parts[i - 1];
+    return parts;
+  }
+
+  /// Two parts with about as many triangles each.
+  std::vector<Index> halves(const std::vector<Index>& source) const
+  {
+    std::vector<Index> parts(source.size(), 0);
+    const Index last_of_first = surface_.face[source[(source.size() - 1) / 2]];
+    for (std::size_t i = 0; i < source.size(); ++i)
+      parts[i] = surface_.face[source[i]] > last_of_first ||
+                 (last_of_first == surface_.face[source.back()] && surface_.face[source[i]] == last_of_first);
+    return parts;
+  }
+
+  /// Makes discs of the charts that were split, and tells all numbers that need flattening now.
+  std::vector<Index> reopen(const std::vector<Index>& split)
+  {
+    if (split.empty())
+      return {};
+    std::vector<Index> open = cut_to_discs(surface_, segmentation_, split, execution_);
+    charts_.resize(segmentation_.number_of_charts);
+    is_piece_.resize(segmentation_.number_of_charts, 0);
+    for (const Index c : open)
+      is_piece_[c] = 1;
+    return open;
+  }
+
+  std::vector<std::vector<Index>> lists_of(const std::vector<Index>& numbers) const
+  {
+    std::vector<Index> place(segmentation_.number_of_charts, no_index);
+    for (Index i = 0; i < numbers.size(); ++i)
+      place[numbers[i]] = i;
+    std::vector<std::vector<Index>> lists(numbers.size());
+    for (Index t = 0; t < segmentation_.chart.size(); ++t)
+      if (const Index i = place[segmentation_.chart[t]]; i != no_index)
+        lists[i].push_back(t);
+    return lists;
+  }
+
+  /// The last resort for a face that cannot be split: of all maps, Schnyder's drawing on a grid suffers least
+  /// from rounding. False if that has been tried.
+  bool draw_on_grid(Flattened_chart& f) const
+  {
+    Chart drawn = f.chart;
+    if (Schnyder_parameterizer().parameterize(drawn, execution_) != Chart_status::valid)
+      return false;
+    give_area(drawn);
+    if (drawn.uv == f.chart.uv)
+      return false;
+    f.chart = std::move(drawn);
+    f.verdict = validator_.validate(f.chart, execution_);
+    return true;
+  }
+
+  const Surface& surface_;
+  Segmentation& segmentation_;
+  const Parameterizer& parameterizer_;
+  const Optimizer& optimizer_;
+  const Validator& validator_;
+  const Execution& execution_;
+
+  double texel_ = 0;
+  Distortion_bound bound_;
+  std::vector<Flattened_chart> charts_;
+  std::vector<std::uint8_t> is_piece_; ///< per chart: whether it came from a refused one
+  std::size_t split_charts_ = 0, rejoined_pieces_ = 0;
+};
+
+} // namespace Atlas::internal
+
+#endif

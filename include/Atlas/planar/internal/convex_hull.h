@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PLANAR_INTERNAL_CONVEX_HULL_H
+#define ATLAS_PLANAR_INTERNAL_CONVEX_HULL_H
+
+#include <Atlas/planar/internal/vectors.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// The convex hull, counterclockwise (monotone chain). One or two points for degenerate sets. O(n log n).
+/// Rounding may lose points by rounding distance: the hull only orients charts, it decides nothing.
+inline std::vector<Vec2> convex_hull(std::vector<Vec2> points)
+{
+  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+    return points;
+  std::vector<Vec2> hull;
+  const auto chain = [&](auto begin, auto end) {
+    const std::size_t base = hull.size();
+    for (auto p = begin; p != end; ++p) {
+      while (hull.size() >= base + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+/// The direction of the largest distance between two points of a convex polygon, as a vector; zero for a
+/// point. Rotating calipers, O(n).
+inline Vec2 diameter(const std::vector<Vec2>& hull)
+{
+  const std::size_t n = hull.size();
+  Vec2 best;
+  const auto take = [&](Vec2 d) {
+    if (dot(d, d) > dot(best, best))
+      best = d;
+  };
+  std::size_t j = n > 1 ? 1 : 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 edge = hull[(i + 1) % n] - hull[i];
+    for (std::size_t steps = 0; steps < n && cross(edge, hull[(j + 1) % n] - hull[j]) > 0; ++steps) {
+      take(hull[j] - hull[i]);
+      j = (j + 1) % n;
+    }
+    take(hull[j] - hull[i]);
+    take(hull[j] - hull[(i + 1) % n]);
+  }
+  return best;
+}
+
+/// The unit direction of one side of the bounding rectangle of least area, which lies along an edge of the
+/// hull; (1, 0) for a point. Rotating calipers, O(n).
+inline Vec2 least_rectangle_direction(const std::vector<Vec2>& hull)
+{
+  const std::size_t n = hull.size();
+  Vec2 best{1, 0};
+  double best_area = HUGE_VAL;
+  std::size_t right = 0, top = 0, left = 0;
+  const auto advance = [&](std::size_t& k, Vec2 direction) {
+    for (std::size_t steps = 0; steps < n && dot(direction, hull[(k + 1) % n] - hull[k]) >= 0; ++steps)
+      k = (k + 1) % n;
+  };
+  for (std::size_t i = 0; i < n && n > 1; ++i) {
+    Vec2 e = hull[(i + 1) % n] - hull[i];
+    if (!(length(e) > 0))
+      continue;
+    e = (1 / length(e)) * e;
+    const Vec2 up{-e.y, e.x};
+    advance(right, e);
+    advance(top, up);
+    if (i == 0)
+      left = top;
+    advance(left, {-e.x, -e.y});
+    const double area = dot(e, hull[right] - hull[left]) * dot(up, hull[top] - hull[i]);
+    if (area < best_area) {
+      best_area = area;
+      best = e;
+    }
+  }
+  return best;
+}
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_ELEMENTS_ELEMENT_GRAPH_H
+#define ATLAS_SEGMENTATION_INTERNAL_ELEMENTS_ELEMENT_GRAPH_H
+
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/edge_rules.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// \brief The smallest pieces that charts are made of, with their adjacency and their moments.
+///
+/// An element is an input face, or faces joined by edges that must not become seams. Elements are adjacent
+/// where they share an edge that a chart may run over: not a seam the user asks for, not the limit of a
+/// patch.
+struct Element_graph
+{
+  struct Link
+  {
+    Index element;
+    double length; ///< of the shared edges
+  };
+  std::vector<std::size_t> first; ///< per element: where its links start; one more entry closes the list
+  std::vector<Link> links;
+  std::vector<double> area;
+  std::vector<Vector_3> area_vector; ///< sum of area times normal
+  std::vector<Vector_3> moment;      ///< area times centroid, from `origin`
+  Point_3 origin = CGAL::ORIGIN;
+
+  std::size_t size() const { return area.size(); }
+  Vector_3 centroid(Index e) const { return area[e] > 0 ? moment[e] / area[e] : moment[e]; }
+};
+
+/// Per triangle its element, numbered in the order of first triangles; returns their number.
+inline Index elements_of_triangles(const Surface& surface, std::vector<Index>& element)
+{
+  Index count = 0;
+  element.assign(surface.number_of_triangles(), no_index);
+  std::vector<Index> stack;
+  for (Index seed = 0; seed < element.size(); ++seed) {
+    if (element[seed] != no_index)
+      continue;
+    element[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const Index t = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (must_not_be_seam(surface, h) && element[surface.opposite[h] / 3] == no_index) {
+          element[surface.opposite[h] / 3] = count;
+          stack.push_back(surface.opposite[h] / 3);
+        }
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// Fills the links from (element, other, length) triples in any order; parallel links become one. O(n).
+template <typename ForEachLink>
+void fill_links(Element_graph& graph, std::size_t n, ForEachLink for_each_link)
+{
+  std::vector<std::size_t> start(n + 1, 0);
+  for_each_link([&](Index a, Index, double) { ++start[a + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Element_graph::Link> raw(start.back());
+  std::vector<std::size_t> fill(start.begin(), start.end() - 1);
+  for_each_link([&](Index a, Index b, double length) { raw[fill[a]++] = {b, length}; });
+
+  constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> slot(n, nowhere);
+  graph.first.assign(1, 0);
+  graph.links.clear();
+  for (std::size_t a = 0; a < n; ++a) {
+    const std::size_t begin = graph.links.size();
+    for (std::size_t k = start[a]; k < start[a + 1]; ++k) {
+      std::size_t& s = slot[raw[k].element];
+      if (s != nowhere && s >= begin && s < graph.links.size() && graph.links[s].element == raw[k].element)
+        graph.links[s].length += raw[k].length;
+      else {
+        s = graph.links.size();
+        graph.links.push_back(raw[k]);
+      }
+    }
+    graph.first.push_back(graph.links.size());
+  }
+}
+
+/// The graph of the elements of a surface. O(n).
+inline Element_graph element_graph(const Surface& surface, const std::vector<Index>& element, Index count)
+{
+  Element_graph graph;
+  graph.area.assign(count, 0);
+  graph.area_vector.assign(count, Vector_3(0, 0, 0));
+  graph.moment.assign(count, Vector_3(0, 0, 0));
+  // Moments from a point of the surface: a model far from the origin loses no digits.
+  if (!surface.triangles.empty())
+    graph.origin = surface.point(0);
+  for (Index t = 0; t < surface.number_of_triangles(); ++t) {
+    const Vector_3 a = surface.point(3 * t) - graph.origin, b = surface.point(3 * t + 1) - graph.origin,
+                   c = surface.point(3 * t + 2) - graph.origin;
+    const Vector_3 vector = CGAL::cross_product(b - a, c - a) / 2;
+    const double area = std::sqrt(vector.squared_length());
+    const Index e = element[t];
+    graph.area[e] += area;
+    graph.area_vector[e] = graph.area_vector[e] + vector;
+    graph.moment[e] = graph.moment[e] + area / 3 * (a + b + c);
+  }
+  fill_links(graph, count, [&](auto link) {
+    for (Index h = 0; h < surface.opposite.size(); ++h)
+      if (!must_be_seam(surface, h) && element[h / 3] != element[surface.opposite[h] / 3])
+        link(element[h / 3], element[surface.opposite[h] / 3],
+             std::sqrt(CGAL::squared_distance(surface.point(h), surface.point(next_halfedge(h)))));
+  });
+  return graph;
+}
+
+/// The graph in which each element is a group of elements: `group[e]` in [0, count). O(n).
+inline Element_graph contract(const Element_graph& graph, const std::vector<Index>& group, Index count)
+{
+  Element_graph result;
+  result.origin = graph.origin;
+  result.area.assign(count, 0);
+  result.area_vector.assign(count, Vector_3(0, 0, 0));
+  result.moment.assign(count, Vector_3(0, 0, 0));
+  for (Index e = 0; e < graph.size(); ++e) {
+    result.area[group[e]] += graph.area[e];
+    result.area_vector[group[e]] = result.area_vector[group[e]] + graph.area_vector[e];
+    result.moment[group[e]] = result.moment[group[e]] + graph.moment[e];
+  }
+  fill_links(result, count, [&](auto link) {
+    for (Index e = 0; e < graph.size(); ++e)
+      for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k)
+        if (group[e] != group[graph.links[k].element])
+          link(group[e], group[graph.links[k].element], graph.links[k].length);
+  });
+  return result;
+}
+
+/// Groups each element with at most one neighbour, the one it is most coplanar and most compact with. O(n).
+inline Index match_neighbors(const Element_graph& graph, std::vector<Index>& group)
+{
+  Index count = 0;
+  group.assign(graph.size(), no_index);
+  for (Index e = 0; e < graph.size(); ++e) {
+    if (group[e] != no_index)
+      continue;
+    Index best = no_index;
+    double best_score = 0;
+    for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k) {
+      const auto& [other, length] = graph.links[k];
+      if (group[other] != no_index)
+        continue;
+      const double area = graph.area[e] + graph.area[other];
+      const double flat =
+          area > 0 ? std::sqrt((graph.area_vector[e] + graph.area_vector[other]).squared_length()) / area : 1;
+      // A bend of 10 degrees between equal halves costs as much as a third of the shared length.
+      const double bend = 1 - flat;
+      const double score = length / (std::sqrt(area) * (1 + 100 * bend));
+      if (best == no_index || score > best_score) {
+        best = other;
+        best_score = score;
+      }
+    }
+    group[e] = count;
+    if (best != no_index)
+      group[best] = count;
+    ++count;
+  }
+  return count;
+}
+
+/// Numbers connected pieces of equal label in the order of their first elements. O(n).
+inline Index label_components(const Element_graph& graph, const std::vector<Index>& label,
+                              std::vector<Index>& component)
+{
+  Index count = 0;
+  component.assign(graph.size(), no_index);
+  std::vector<Index> stack;
+  for (Index seed = 0; seed < graph.size(); ++seed) {
+    if (component[seed] != no_index)
+      continue;
+    component[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const Index e = stack.back();
+      stack.pop_back();
+      for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k)
+        if (const Index o = graph.links[k].element; component[o] == no_index && label[o] == label[e]) {
+          component[o] = count;
+          stack.push_back(o);
+        }
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// The segmentation in which triangle t is in the chart of its element; seams the user asks for are cuts.
+inline Segmentation segmentation_of_elements(const Surface& surface, const std::vector<Index>& element,
+                                             const std::vector<Index>& chart, Index number_of_charts)
+{
+  Segmentation result;
+  result.number_of_charts = number_of_charts;
+  result.chart.reserve(element.size());
+  for (const Index e : element)
+    result.chart.push_back(chart[e]);
+  result.cut.assign(3 * element.size(), 0);
+  for (Index h = 0; h < result.cut.size(); ++h)
+    result.cut[h] = surface.opposite[h] != no_index && must_be_seam(surface, h);
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif

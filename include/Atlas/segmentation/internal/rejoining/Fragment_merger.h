@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_REJOINING_FRAGMENT_MERGER_H
+#define ATLAS_SEGMENTATION_INTERNAL_REJOINING_FRAGMENT_MERGER_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/segmentation/internal/rejoining/Trial_merge.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Takes charts without triangles out of the numbering. `charts` are those of the segmentation, each with a
+/// `Chart chart`.
+template <typename Flattened>
+void close_gaps(Segmentation& segmentation, std::vector<Flattened>& charts)
+{
+  std::vector<Index> number(charts.size(), no_index);
+  Index kept = 0;
+  for (Index c = 0; c < charts.size(); ++c)
+    if (!charts[c].chart.source.empty()) {
+      number[c] = kept;
+      if (c != kept)
+        charts[kept] = std::move(charts[c]);
+      ++kept;
+    }
+  charts.resize(kept);
+  segmentation.number_of_charts = kept;
+  for (Index& c : segmentation.chart)
+    c = number[c];
+}
+
+/// \brief Gives pieces of refused charts to other charts that are accepted with them.
+///
+/// A chart that is split where one corner of it is too much for the bound leaves pieces that often fit
+/// somewhere else, or with each other. Smallest first, each tries the neighbours with which it shares most
+/// border; what is accepted is the flattening at full resolution.
+///
+/// \tparam Flattened  has a `Chart chart`, empty for charts that are gone
+/// \tparam Flatten    `Flattened(Chart)`, may be called from several threads
+/// \tparam Accept     `bool(const Flattened& joined, const Flattened& a, const Flattened& b)`
+template <typename Flattened, typename Flatten, typename Accept>
+class Fragment_merger
+{
+public:
+  /// \param work  how many times as many triangles as the surface has may be flattened in vain
+  Fragment_merger(const Surface& surface, Segmentation& segmentation, std::vector<Flattened>& charts,
+                  const Flatten& flatten, const Accept& accept, std::size_t work, const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), charts_(charts), flatten_(flatten), accept_(accept),
+        execution_(execution), gluing_(surface, segmentation), local_(surface.number_of_triangles()),
+        budget_(work * surface.number_of_triangles())
+  {}
+
+  /// Returns how many pieces found another chart. Charts that are gone keep their numbers, without triangles.
+  std::size_t run(const std::vector<Index>& pieces)
+  {
+    std::size_t joined = 0, before = no_index;
+    // A neighbour that has grown may take what it refused.
+    for (int pass = 0; pass < passes && joined != before; ++pass) {
+      before = joined;
+      std::vector<Fragment> open;
+      for (const Index c : pieces)
+        if (size(c) > 0)
+          open.push_back({c, {}});
+      std::stable_sort(open.begin(), open.end(),
+                       [&](const Fragment& a, const Fragment& b) { return size(a.chart) < size(b.chart); });
+      while (!open.empty() && execution_.proceed())
+        joined += join_some(open);
+    }
+    return joined;
+  }
+
+private:
+  static constexpr int passes = 2;
+  /// How many neighbours a piece tries.
+  static constexpr std::size_t tries = 4;
+  /// Pairs that are tried at a time, among so many pieces. Part of the result: not a number of threads.
+  static constexpr std::size_t batch = 8, window = 4 * batch;
+
+  struct Fragment
+  {
+    Index chart;
+    std::vector<Index> tried;
+  };
+  struct Trial
+  {
+    Index piece, other;
+    Flattened joined;
+  };
+
+  std::size_t size(Index c) const { return charts_[c].chart.number_of_triangles(); }
+
+  /// One batch of disjoint pairs. Pieces that are joined or have nothing more to try leave `open`.
+  std::size_t join_some(std::vector<Fragment>& open)
+  {
+    std::vector<Trial> trials = take_trials(open);
+    for (const Trial& trial : trials)
+      gluing_.glue(charts_[trial.piece].chart, trial.other);
+    execution_.for_each(trials.size(), [&](std::size_t i) { attempt(trials[i]); });
+    std::size_t joined = 0;
+    for (Trial& trial : trials)
+      joined += settle(trial);
+    std::erase_if(open, [&](const Fragment& piece) { return size(piece.chart) == 0; });
+    return joined;
+  }
+
+  std::vector<Trial> take_trials(std::vector<Fragment>& open)
+  {
+    std::vector<Trial> trials;
+    std::vector<Index> busy;
+    const auto is_busy = [&](Index c) { return std::find(busy.begin(), busy.end(), c) != busy.end(); };
+    std::vector<std::uint8_t> is_done(std::min(open.size(), window), 0);
+    for (std::size_t i = 0; i < is_done.size() && trials.size() < batch; ++i) {
+      Fragment& piece = open[i];
+      if (is_busy(piece.chart))
+        continue;
+      const Index other = next_neighbour(piece);
+      is_done[i] = other == no_index;
+      if (is_done[i] || is_busy(other))
+        continue;
+      piece.tried.push_back(other);
+      const std::size_t triangles = size(piece.chart) + size(other);
+      if (triangles > budget_)
+        continue;
+      budget_ -= triangles;
+      trials.push_back({piece.chart, other, {}});
+      busy.push_back(piece.chart);
+      busy.push_back(other);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (i >= is_done.size() || !is_done[i]) {
+        if (kept != i)
+          open[kept] = std::move(open[i]);
+        ++kept;
+      }
+    open.resize(kept);
+    return trials;
+  }
+
+  Index next_neighbour(const Fragment& piece) const
+  {
+    if (piece.tried.size() < tries)
+      for (const Index other : gluing_.neighbours(charts_[piece.chart].chart))
+        if (std::find(piece.tried.begin(), piece.tried.end(), other) == piece.tried.end())
+          return other;
+    return no_index;
+  }
+
+  void attempt(Trial& trial)
+  {
+    const std::vector<Index>&a = charts_[trial.piece].chart.source, &b = charts_[trial.other].chart.source;
+    std::vector<Index> triangles;
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(triangles));
+    Chart chart = extract_chart(surface_, segmentation_, triangles, local_);
+    if (topology(chart).is_disc())
+      trial.joined = flatten_(std::move(chart));
+  }
+
+  bool settle(Trial& trial)
+  {
+    Flattened &piece = charts_[trial.piece], &other = charts_[trial.other];
+    const bool is_accepted = !trial.joined.chart.source.empty() && accept_(trial.joined, piece, other);
+    if (is_accepted) {
+      budget_ += trial.joined.chart.number_of_triangles(); // only failures are counted
+      other = std::move(trial.joined);
+      piece = Flattened();
+    } else {
+      gluing_.undo(piece.chart);
+    }
+    return is_accepted;
+  }
+
+  const Surface& surface_;
+  Segmentation& segmentation_;
+  std::vector<Flattened>& charts_;
+  const Flatten& flatten_;
+  const Accept& accept_;
+  const Execution& execution_;
+  Trial_merge gluing_;
+  std::vector<Index> local_; ///< scratch: charts are disjoint, each writes its own entries
+  std::size_t budget_;
+};
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_SMOOTHING_BORDER_SMOOTHER_H
+#define ATLAS_SEGMENTATION_INTERNAL_SMOOTHING_BORDER_SMOOTHER_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/segmentation/internal/smoothing/minimum_cut.h>
+#include <Atlas/segmentation/internal/surface/Seam_costs.h>
+#include <Atlas/segmentation/internal/surface/Submesh.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// The piece as a chart of its own.
+inline Chart chart_of_piece(const Surface& surface, const Submesh& piece)
+{
+  Chart chart;
+  chart.source = piece.triangles;
+  chart.points.resize(piece.number_of_vertices());
+  chart.triangles.resize(piece.triangles.size());
+  for (Index h = 0; h < piece.vertex.size(); ++h) {
+    chart.triangles[h / 3][h % 3] = piece.vertex[h];
+    chart.points[piece.vertex[h]] = surface.point(piece.global(h));
+  }
+  return chart;
+}
+
+/// \brief Where borders may run and what stays where it is, for a whole surface.
+struct Smoothing_limits
+{
+  std::vector<std::uint8_t> is_open;  ///< per halfedge: triangles may be glued there
+  std::vector<std::uint8_t> is_stuck; ///< per triangle: it never changes sides
+};
+
+/// Scratch of the smoother, per triangle of the surface. Pairs of charts that have none in common can use one
+/// at the same time.
+struct Smoothing_scratch
+{
+  explicit Smoothing_scratch(std::size_t triangles)
+      : node(triangles, 0), stamp(triangles, 0), local(triangles)
+  {}
+  std::vector<Index> node, stamp, local;
+};
+
+/// \brief Moves the border between two charts to the cheapest place in a band around it.
+///
+/// The triangles of the band become nodes, the edges between them links as strong as a seam there is
+/// expensive, and the triangles beside the band stay what they are: a minimum cut is the best border. Whether
+/// the charts stay discs is told by what changes around the triangles that changed sides; only that they hang
+/// together needs a look at all of them.
+class Border_smoother
+{
+public:
+  /// \param chart  per triangle
+  /// \param pair   the two charts, which are discs
+  /// \param stamp  two numbers that nobody else has used with this scratch, this and the next one
+  Border_smoother(const Surface& surface, const Seam_costs& costs, const Smoothing_limits& limits,
+                  const std::vector<Index>& chart, std::array<Index, 2> pair,
+                  std::array<std::size_t, 2> sizes, Smoothing_scratch& scratch, Index stamp)
+      : surface_(surface), costs_(costs), limits_(limits), chart_(chart), pair_(pair), sizes_(sizes),
+        scratch_(scratch), stamp_(stamp)
+  {}
+
+  /// Whether there is a cheaper border than the present one at most `rings` rings of triangles away with
+  /// which both charts are discs. `border` has the halfedges between the charts, on either side.
+  bool run(std::span<const Index> border, int rings)
+  {
+    find_band(border, rings);
+    return !band_.empty() && find_cheapest_border() && keeps_euler() && is_connected(0) && is_connected(1);
+  }
+
+  /// After run(): the triangles that change sides.
+  const std::vector<Index>& changed() const { return changed_; }
+
+  /// After run(): one of the charts.
+  Chart chart(int side)
+  {
+    std::vector<Index> triangles = reached_[side];
+    std::sort(triangles.begin(), triangles.end());
+    const Submesh piece = make_piece(
+        surface_, std::move(triangles), [&](Index h) { return is_glued(h); }, scratch_.local);
+    return chart_of_piece(surface_, piece);
+  }
+
+private:
+  Index node_of(Index t) const
+  {
+    const Index n = scratch_.node[t];
+    return n < band_.size() && band_[n] == t ? n : no_index;
+  }
+  std::uint8_t old_side(Index t) const { return chart_[t] == pair_[1]; }
+  std::uint8_t side(Index t) const
+  {
+    const Index n = node_of(t);
+    return n != no_index ? side_[n] : old_side(t);
+  }
+
+  /// Whether both sides of the edge are in these two charts and may be glued.
+  bool is_link(Index h) const
+  {
+    if (!limits_.is_open[h])
+      return false;
+    const Index c = chart_[surface_.opposite[h] / 3];
+    return c == pair_[0] || c == pair_[1];
+  }
+  bool is_glued(Index h) const { return is_link(h) && side(h / 3) == side(surface_.opposite[h] / 3); }
+
+  /// Triangles that may change sides.
+  void find_band(std::span<const Index> border, int rings)
+  {
+    std::vector<Index> front, beyond;
+    const auto reach = [&](Index t, std::vector<Index>& list) {
+      if (scratch_.stamp[t] == stamp_)
+        return;
+      scratch_.stamp[t] = stamp_;
+      list.push_back(t);
+    };
+    const auto is_of_pair = [&](Index t) { return chart_[t] == pair_[0] || chart_[t] == pair_[1]; };
+    for (const Index h : border)
+      if (is_of_pair(h / 3) && is_link(h) && old_side(h / 3) != old_side(surface_.opposite[h] / 3)) {
+        reach(h / 3, front);
+        reach(surface_.opposite[h] / 3, front);
+      }
+    for (int step = 0; step < 2 * rings; ++step) {
+      beyond.clear();
+      for (const Index t : front) {
+        if (!limits_.is_stuck[t]) {
+          scratch_.node[t] = static_cast<Index>(band_.size());
+          band_.push_back(t);
+        }
+        for (Index h = 3 * t; h < 3 * t + 3; ++h)
+          if (is_link(h))
+            reach(surface_.opposite[h] / 3, beyond);
+      }
+      front.swap(beyond);
+    }
+    for (const Index t : band_)
+      side_.push_back(old_side(t));
+  }
+
+  /// Whole numbers, relative to the largest cost in the band; an edge that cannot be a seam costs more than
+  /// all others together.
+  static std::int64_t capacity(const Seam_costs::Cost& cost, double largest)
+  {
+    constexpr double steps = 1e6;
+    constexpr std::int64_t never = std::int64_t(1) << 42;
+    if (cost.is_impossible)
+      return never;
+    const double share = largest > 0 ? cost.cost / largest : 0;
+    return 1 + static_cast<std::int64_t>(std::min(steps * share * cost.penalty, double(never / 2)));
+  }
+
+  bool find_cheapest_border()
+  {
+    struct Link
+    {
+      Index node, other;
+      Seam_costs::Cost cost;
+      bool is_border;
+    };
+    std::vector<Link> links;
+    double largest = 0;
+    for (Index n = 0; n < band_.size(); ++n)
+      for (Index h = 3 * band_[n]; h < 3 * band_[n] + 3; ++h) {
+        if (!is_link(h))
+          continue;
+        const Index o = surface_.opposite[h], m = node_of(o / 3);
+        if (m != no_index && m < n)
+          continue;
+        const Seam_costs::Cost cost = costs_(h);
+        if (!cost.is_impossible && std::isfinite(cost.cost))
+          largest = std::max(largest, cost.cost);
+        links.push_back({n, m != no_index ? m : static_cast<Index>(band_.size()) + old_side(o / 3), cost,
+                         side_[n] != old_side(o / 3)});
+      }
+    Minimum_cut cut(band_.size());
+    std::int64_t before = 0;
+    for (const Link& link : links) {
+      const std::int64_t c = capacity(link.cost, largest);
+      cut.connect(link.node, link.other, c);
+      before += link.is_border ? c : 0;
+    }
+    // A gain of less than a thousandth is not worth a change.
+    if (cut.run() >= before - before / 1000)
+      return false;
+    for (Index n = 0; n < band_.size(); ++n)
+      if (const std::uint8_t now = !cut.is_on_first_side(n); now != side_[n]) {
+        side_[n] = now;
+        changed_.push_back(band_[n]);
+      }
+    return !changed_.empty();
+  }
+
+  // --- Topology
+
+  /// The corners around one, counterclockwise, as far as the two charts reach, and whether they go all
+  /// around.
+  bool corners_around(Index h, std::vector<Index>& corners) const
+  {
+    bool is_closed = false;
+    Index first = h;
+    while (is_link(first) && !is_closed) {
+      first = next_halfedge(surface_.opposite[first]);
+      is_closed = first == h;
+    }
+    corners.clear();
+    for (Index g = first;;) {
+      corners.push_back(g);
+      const Index before = previous_halfedge(g);
+      if (!is_link(before) || (is_closed && surface_.opposite[before] == first))
+        return is_closed;
+      g = surface_.opposite[before];
+    }
+  }
+
+  /// Vertices - edges + triangles of both charts change by nothing, and no two edges get the same ends.
+  bool keeps_euler() const
+  {
+    std::array<long long, 2> euler{0, 0};
+    std::vector<Index> around, starts;
+    for (const Index t : changed_) {
+      const std::uint8_t now = side(t);
+      ++euler[now];
+      --euler[!now];
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        count_edge(h, euler);
+        const bool is_closed = corners_around(h, around);
+        starts.push_back(is_closed ? *std::min_element(around.begin(), around.end()) : around.front());
+      }
+    }
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    for (const Index start : starts) {
+      const bool is_closed = corners_around(start, around);
+      count_fans(around, is_closed, euler);
+      if (!is_unambiguous(around, is_closed))
+        return false;
+    }
+    return euler[0] == 0 && euler[1] == 0;
+  }
+
+  /// An edge between both charts is one of either.
+  void count_edge(Index h, std::array<long long, 2>& euler) const
+  {
+    const std::uint8_t now = side(h / 3);
+    if (!is_link(h)) {
+      --euler[now];
+      ++euler[!now];
+      return;
+    }
+    const Index n = surface_.opposite[h] / 3;
+    if (side(n) != old_side(n) && n < h / 3)
+      return;
+    const auto count = [&](std::uint8_t s, std::uint8_t r, int sign) {
+      euler[s] -= sign;
+      if (s != r)
+        euler[r] -= sign;
+    };
+    count(!now, old_side(n), -1);
+    count(now, side(n), 1);
+  }
+
+  /// A vertex of a chart is a run of corners of one side.
+  void count_fans(const std::vector<Index>& around, bool is_closed, std::array<long long, 2>& euler) const
+  {
+    const auto count = [&](auto side_at, int sign) {
+      bool has_start = false;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const std::uint8_t s = side_at(around[i] / 3);
+        const bool is_start =
+            i > 0 ? s != side_at(around[i - 1] / 3) : !is_closed || s != side_at(around.back() / 3);
+        euler[s] += is_start ? sign : 0;
+        has_start = has_start || is_start;
+      }
+      if (!has_start)
+        euler[side_at(around.front() / 3)] += sign;
+    };
+    count([&](Index t) { return old_side(t); }, -1);
+    count([&](Index t) { return side(t); }, 1);
+  }
+
+  /// Whether the edges of each vertex of a chart here lead to different vertices, and none back to it.
+  bool is_unambiguous(const std::vector<Index>& around, bool is_closed) const
+  {
+    const std::size_t n = around.size();
+    std::vector<Index> ends; // corners at the other ends of the edges of one vertex, and the vertex itself
+    const auto goes_on = [&](std::size_t i) {
+      return (i + 1 < n || is_closed) && side(around[i] / 3) == side(around[(i + 1) % n] / 3);
+    };
+    std::size_t start = 0; // with a vertex, if there is more than one
+    while (start + 1 < n && is_closed && goes_on((start + n - 1) % n))
+      ++start;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = (start + k) % n;
+      if (ends.empty())
+        ends.push_back(around[i]);
+      ends.push_back(next_halfedge(around[i]));
+      if (goes_on(i) && k + 1 < n)
+        continue;
+      if (!goes_on(i))
+        ends.push_back(previous_halfedge(around[i]));
+      if (!are_different(ends))
+        return false;
+      ends.clear();
+    }
+    return true;
+  }
+
+  bool are_different(const std::vector<Index>& corners) const
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (surface_.point(corners[i]) == surface_.point(corners[j]) && fan(corners[i]) == fan(corners[j]))
+          return false;
+    return true;
+  }
+
+  /// A name of the vertex of a chart that the corner belongs to.
+  Index fan(Index h) const
+  {
+    Index least = h, g = h;
+    while (is_glued(g)) {
+      g = next_halfedge(surface_.opposite[g]);
+      if (g == h)
+        return least;
+      least = std::min(least, g);
+    }
+    return g;
+  }
+
+  /// Whether one of the charts hangs together; remembers its triangles.
+  bool is_connected(std::uint8_t wanted)
+  {
+    std::size_t size = sizes_[wanted];
+    for (const Index t : changed_)
+      size += side(t) == wanted ? 1 : std::size_t(-1);
+    std::vector<Index>& reached = reached_[wanted];
+    reached.clear();
+    reached.reserve(size);
+    const Index stamp = stamp_ + 1; // of both charts: they have no triangle in common
+    const auto reach = [&](Index t) {
+      if (scratch_.stamp[t] != stamp) {
+        scratch_.stamp[t] = stamp;
+        reached.push_back(t);
+      }
+    };
+    if (const Index start = start_of(wanted); start != no_index)
+      reach(start);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
+        if (is_glued(h))
+          reach(surface_.opposite[h] / 3);
+    return size > 0 && reached.size() == size;
+  }
+
+  /// A triangle of the chart beside the border, if it has any.
+  Index start_of(std::uint8_t wanted) const
+  {
+    for (const Index t : band_)
+      if (side(t) == wanted)
+        return t;
+    for (const Index t : band_)
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (is_link(h) && side(surface_.opposite[h] / 3) == wanted)
+          return surface_.opposite[h] / 3;
+    return no_index;
+  }
+
+  const Surface& surface_;
+  const Seam_costs& costs_;
+  const Smoothing_limits& limits_;
+  const std::vector<Index>& chart_;
+  std::array<Index, 2> pair_;
+  std::array<std::size_t, 2> sizes_;
+  Smoothing_scratch& scratch_;
+  Index stamp_;
+  std::vector<Index> band_;        ///< triangles that may change sides
+  std::vector<std::uint8_t> side_; ///< per entry of band_: which chart
+  std::vector<Index> changed_;
+  std::array<std::vector<Index>, 2> reached_; ///< the triangles of both charts
+};
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
+
+#include "test_meshes.h"
+
+namespace Atlas::test {
+namespace {
+
+Index border_halfedges(const Surface& surface)
+{
+  return static_cast<Index>(std::count(surface.opposite.begin(), surface.opposite.end(), no_index));
+}
+
+TEST(BuildSurface, AdjacencyIsSymmetricAndRunsAlongTheSameEdge)
+{
+  const Surface s = surface_of(torus(8, 5));
+  EXPECT_EQ(border_halfedges(s), 0u);
+  for (Index h = 0; h < s.opposite.size(); ++h) {
+    const Index o = s.opposite[h];
+    EXPECT_EQ(s.opposite[o], h);
+    EXPECT_EQ(s.point(h), s.point(next_halfedge(o)));
+    EXPECT_EQ(s.point(next_halfedge(h)), s.point(o));
+  }
+}
+
+TEST(BuildSurface, QuadsKeepTheirCornersAndDiagonals)
+{
+  const Surface s = surface_of(cube());
+  EXPECT_EQ(s.number_of_faces, 6u);
+  EXPECT_EQ(s.number_of_corners, 24u);
+  EXPECT_EQ(s.number_of_triangles(), 12u);
+  Index diagonals = 0;
+  for (Index h = 0; h < s.opposite.size(); ++h)
+    diagonals += s.is_diagonal(h);
+  EXPECT_EQ(diagonals, 12u);
+  std::set<Index> corners(s.corner.begin(), s.corner.end());
+  EXPECT_EQ(corners.size(), 24u);
+}
+
+TEST(BuildSurface, StitchesSplitVerticesByPosition)
+{
+  Soup soup;
+  for (const auto& t : sphere(2).polygons)
+    for (const Index v : t) {
+      if (soup.points.size() % 3 == 0)
+        soup.polygons.push_back({});
+      soup.polygons.back().push_back(static_cast<Index>(soup.points.size()));
+      soup.points.push_back(sphere(2).points[v]);
+    }
+  EXPECT_EQ(border_halfedges(surface_of(soup)), 0u);
+}
+
+TEST(BuildSurface, EdgesWithThreeTrianglesAndWrongOrientationStayOpen)
+{
+  Soup book{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  EXPECT_EQ(border_halfedges(surface_of(book)), 9u);
+  Soup twisted{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}}};
+  EXPECT_EQ(border_halfedges(surface_of(twisted)), 6u);
+}
+
+TEST(BuildSurface, ListsFacesThatCannotTakePart)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 0, 0}}, {{0, 1, 2}, {0, 1, 1}, {0, 1, 3}, {0, 1, 9}, {}}};
+  const Surface s = surface_of(soup);
+  ASSERT_EQ(s.rejected.size(), 4u);
+  EXPECT_EQ(s.rejected[0].face, 1u);
+  EXPECT_EQ(s.rejected[0].reason, Rejection::too_few_corners);
+  EXPECT_EQ(s.rejected[1].reason, Rejection::not_finite);
+  EXPECT_EQ(s.rejected[2].reason, Rejection::bad_index);
+  EXPECT_EQ(s.rejected[3].reason, Rejection::too_few_corners);
+  EXPECT_EQ(s.number_of_triangles(), 1u);
+}
+
+TEST(BuildSurface, ConcavePolygonIsTriangulatedInside)
+{
+  // An arrowhead whose fan from the first corner is invalid.
+  Soup soup{{{-1, 0, 0}, {0, -2, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2, 3}}};
+  const Surface s = surface_of(soup);
+  ASSERT_EQ(s.number_of_triangles(), 2u);
+  for (const auto& t : s.triangles)
+    EXPECT_GT(CGAL::cross_product(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]).z(), 0);
+}
+
+TEST(BuildSurface, PolygonWithoutAValidFanIsAFanFromItsFirstCorner)
+{
+  Soup soup;
+  soup.polygons.emplace_back();
+  for (Index i = 0; i < 40; ++i) {
+    const double r = i % 2 ? 0.4 : 1, a = 2 * M_PI * i / 40;
+    soup.points.emplace_back(r * std::cos(a), r * std::sin(a), 0);
+    soup.polygons[0].push_back(i);
+  }
+  const Surface s = surface_of(soup);
+  ASSERT_EQ(s.number_of_triangles(), 38u);
+  for (Index t = 0; t < 38; ++t)
+    EXPECT_EQ(s.triangles[t], (std::array<Index, 3>{0, t + 1, t + 2}));
+}
+
+TEST(ExtractCharts, CutsOpenAndTopology)
+{
+  const Surface s = surface_of(torus(6, 6));
+  Segmentation one = one_chart(s);
+  Chart_topology t = topology(extract_charts(s, one)[0]);
+  EXPECT_EQ(t.euler, 0);
+  EXPECT_EQ(t.border_loops, 0u);
+  EXPECT_FALSE(t.is_disc());
+  // Cut along one meridian and one parallel: vertices of column 0 or row 0.
+  for (Index h = 0; h < s.opposite.size(); ++h) {
+    const Index a = s.triangles[h / 3][h % 3], b = s.triangles[h / 3][(h % 3 + 1) % 3];
+    one.cut[h] = (a % 6 == 0 && b % 6 == 0) || (a / 6 == 0 && b / 6 == 0);
+  }
+  const Chart chart = extract_charts(s, one)[0];
+  EXPECT_TRUE(topology(chart).is_disc());
+  EXPECT_EQ(chart.number_of_vertices(), 49u);
+}
+
+TEST(ExtractCharts, SheetsThatTouchInAVertexComeApart)
+{
+  Soup bowtie{{{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+  EXPECT_EQ(chart_of(bowtie).number_of_vertices(), 6u);
+  EXPECT_EQ(topology(chart_of(bowtie)).components, 2u);
+}
+
+TEST(ChartStatus, EveryStatusHasAMessageOfItsOwn)
+{
+  std::set<std::string> messages;
+  for (int i = 0; i <= static_cast<int>(Chart_status::cancelled); ++i)
+    messages.insert(message(static_cast<Chart_status>(i)));
+  EXPECT_EQ(messages.size(), 7u);
+}
+
+TEST(Execution, RunsEveryIterationOnceAndStopsWhenCancelled)
+{
+  for (unsigned threads : {1u, 2u}) {
+    std::vector<std::atomic<int>> count(1000);
+    Execution execution(threads);
+    execution.for_each(count.size(), [&](std::size_t i) { ++count[i]; });
+    for (const auto& c : count)
+      EXPECT_EQ(c, 1);
+    int calls = 0;
+    Execution stopping(threads, [&](double) { return ++calls < 3; });
+    std::atomic<int> done = 0;
+    stopping.for_each(1000, [&](std::size_t) {
+      ++done;
+      (void)stopping.proceed(0.5);
+    });
+    EXPECT_LT(done, 1000);
+    EXPECT_EQ(calls, 3);
+    EXPECT_FALSE(stopping.proceed(1));
+  }
+}
+
+} // namespace
+} // namespace Atlas::test

@@ -1,6 +1,0 @@
-# SPDX-License-Identifier: MIT
-atlas_test(LSCM_parameterizer_test)
-atlas_test(Tutte_parameterizer_test)
-atlas_test(Bijective_parameterizer_test)
-atlas_test(other_parameterizers_test)
-atlas_test(CGAL_parameterizer_adaptor_test)
