@@ -3,7 +3,9 @@
 #define ATLAS_CORE_CONCEPTS_H
 
 #include <Atlas/core/Chart.h>
+#include <Atlas/core/Distortion_bound.h>
 #include <Atlas/core/Execution.h>
+#include <Atlas/core/Flattening_record.h>
 #include <Atlas/core/Packing.h>
 #include <Atlas/core/Surface.h>
 
@@ -26,6 +28,16 @@ concept ChartSegmentation = requires(const S& s, const Surface& surface, const E
     } -> std::same_as<Segmentation>;
 };
 
+/// \brief A segmentation that keeps a bound on the distortion of its charts: the report says which charts
+/// keep it in the end, and pieces of charts are joined within it.
+template <typename S>
+concept BoundedSegmentation = ChartSegmentation<S> && requires(const S& s)
+{
+  {
+    s.bound()
+    } -> std::same_as<Distortion_bound>;
+};
+
 /// \brief Flattens one chart that is a disc: fills `chart.uv`, one finite point for each vertex, or tells why
 /// not.
 template <typename P>
@@ -33,6 +45,16 @@ concept ChartParameterizer = requires(const P& p, Chart& chart, const Execution&
 {
   {
     p.parameterize(chart, execution)
+    } -> std::same_as<Chart_status>;
+};
+
+/// \brief A parameterizer that also tells what it did; the report carries the records.
+template <typename P>
+concept RecordingParameterizer = ChartParameterizer<P> &&
+    requires(const P& p, Chart& chart, const Execution& execution, Flattening_record& record)
+{
+  {
+    p.parameterize(chart, execution, record)
     } -> std::same_as<Chart_status>;
 };
 
@@ -54,20 +76,26 @@ struct Chart_verdict
   bool is_valid() const { return status == Chart_status::valid; }
 };
 
-/// \brief Accepts a flattened chart or splits it.
+/// \brief Decides whether a flattened chart is acceptable.
 ///
-/// `split()` is called for a chart that `validate()` refused, with that verdict. It gives each triangle a
-/// part number 0, 1, ... with at least two parts whenever the chart has more than one triangle; the parts
-/// need be neither connected nor discs.
+/// A chart of one triangle that is flattened without a flip has to be acceptable, so that splitting ends.
 template <typename V>
-concept ChartValidator = requires(const V& v, const Chart& chart, const Chart_verdict& verdict,
-                                  const Execution& execution)
+concept ChartValidator = requires(const V& v, const Chart& chart, const Execution& execution)
 {
   {
     v.validate(chart, execution)
     } -> std::same_as<Chart_verdict>;
+};
+
+/// \brief Splits a chart that a validator refused.
+///
+/// `split()` gets the chart and the verdict on it. It gives each triangle a part number 0, 1, ... The parts
+/// need be neither connected nor discs. Where it makes no two parts, the chart is halved.
+template <typename S>
+concept ChartSplitter = requires(const S& s, const Chart& chart, const Chart_verdict& verdict)
+{
   {
-    v.split(chart, verdict)
+    s.split(chart, verdict)
     } -> std::same_as<std::vector<Index>>;
 };
 

@@ -3,11 +3,13 @@
 #define ATLAS_MEASURE_DISTORTION_H
 
 #include <Atlas/core/Chart.h>
+#include <Atlas/core/Distortion_bound.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -156,6 +158,28 @@ inline Distortion measure_distortion(std::span<const Chart> charts)
     all.insert(all.end(), part.begin(), part.end());
   }
   return summarize_distortion(all);
+}
+
+/// The named figure; infinite where nothing could be measured.
+inline double value(const Distortion& d, Distortion_measure measure)
+{
+  if (d.triangles == 0)
+    return std::numeric_limits<double>::infinity();
+  switch (measure) {
+  case Distortion_measure::symmetric_dirichlet:
+    return d.symmetric_dirichlet_mean;
+  case Distortion_measure::l2_stretch:
+    return d.l2_stretch;
+  case Distortion_measure::linf_stretch:
+    return d.linf_stretch;
+  case Distortion_measure::area_ratio:
+    return d.area_max / d.area_min;
+  case Distortion_measure::area_ratio_quantiles:
+    return d.area_p99 / d.area_p1;
+  case Distortion_measure::quasi_conformal:
+    return d.quasi_conformal_mean;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 } // namespace Atlas

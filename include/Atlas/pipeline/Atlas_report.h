@@ -6,7 +6,7 @@
 #include <Atlas/core/Flattening_record.h>
 #include <Atlas/core/Stage.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/measure/Distortion_measure.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/validation/Atlas_certificate.h>
 

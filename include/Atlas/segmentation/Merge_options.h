@@ -2,7 +2,7 @@
 #ifndef ATLAS_SEGMENTATION_MERGE_OPTIONS_H
 #define ATLAS_SEGMENTATION_MERGE_OPTIONS_H
 
-#include <Atlas/measure/Distortion_measure.h>
+#include <Atlas/measure/distortion.h>
 
 #include <cstddef>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_MEASURE_DISTORTION_MEASURE_H
-#define ATLAS_MEASURE_DISTORTION_MEASURE_H
-
-#include <Atlas/measure/distortion.h>
+#ifndef ATLAS_CORE_DISTORTION_BOUND_H
+#define ATLAS_CORE_DISTORTION_BOUND_H
 
 #include <limits>
 
@@ -51,28 +49,6 @@ struct Distortion_bound
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   double max = std::numeric_limits<double>::infinity();
 };
-
-/// The named figure; infinite where nothing could be measured.
-inline double value(const Distortion& d, Distortion_measure measure)
-{
-  if (d.triangles == 0)
-    return std::numeric_limits<double>::infinity();
-  switch (measure) {
-  case Distortion_measure::symmetric_dirichlet:
-    return d.symmetric_dirichlet_mean;
-  case Distortion_measure::l2_stretch:
-    return d.l2_stretch;
-  case Distortion_measure::linf_stretch:
-    return d.linf_stretch;
-  case Distortion_measure::area_ratio:
-    return d.area_max / d.area_min;
-  case Distortion_measure::area_ratio_quantiles:
-    return d.area_p99 / d.area_p1;
-  case Distortion_measure::quasi_conformal:
-    return d.quasi_conformal_mean;
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 } // namespace Atlas
 
