@@ -3,11 +3,13 @@
 #define ATLAS_CORE_CHARTS_OF_UV_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/halfedges.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -19,31 +21,18 @@ inline Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2
   const std::size_t n = surface.number_of_triangles();
   const auto at = [&](Index h) -> const Point_2& { return uv[surface.corner[h]]; };
   const auto is_finite = [&](Index h) { return std::isfinite(at(h).x()) && std::isfinite(at(h).y()); };
-  Segmentation result{std::vector<Index>(n, no_index), std::vector<std::uint8_t>(3 * n, 0), 0};
+  Segmentation result{{}, std::vector<std::uint8_t>(3 * n, 0), 0};
   for (Index h = 0; h < 3 * n; ++h) {
     const Index o = surface.opposite[h];
     result.cut[h] = o != no_index && (at(h) != at(next_halfedge(o)) || at(next_halfedge(h)) != at(o));
   }
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < n; ++seed) {
-    const auto enter = [&](Index t) {
-      if (result.chart[t] != no_index || !is_finite(3 * t) || !is_finite(3 * t + 1) || !is_finite(3 * t + 2))
-        return false;
-      result.chart[t] = result.number_of_charts;
-      stack.push_back(t);
-      return true;
-    };
-    if (!enter(seed))
-      continue;
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (surface.opposite[h] != no_index && !result.cut[h])
-          enter(surface.opposite[h] / 3);
-    }
-    ++result.number_of_charts;
-  }
+  const auto has_coordinates = [&](Index t) {
+    return is_finite(3 * t) && is_finite(3 * t + 1) && is_finite(3 * t + 2);
+  };
+  internal::Components charts = internal::connected_components(surface.opposite, has_coordinates,
+                                                               [&](Index h) { return !result.cut[h]; });
+  result.chart = std::move(charts.of_triangle);
+  result.number_of_charts = charts.count;
   return result;
 }
 

@@ -35,21 +35,9 @@ inline Chart extract_chart(const Surface& surface, const Segmentation& segmentat
         continue;
       const Index vertex = static_cast<Index>(chart.points.size());
       chart.points.push_back(surface.point(start));
-      // Turn around the vertex one way until a cut or the start, then the other way.
-      Index h = start;
-      bool closed = false;
-      do {
-        slot(h) = vertex;
-        const Index before = previous_halfedge(h);
-        if (!segmentation.is_glued(surface, before))
-          break;
-        h = surface.opposite[before];
-        closed = h == start;
-      } while (!closed);
-      for (h = start; !closed && segmentation.is_glued(surface, h);) {
-        h = next_halfedge(surface.opposite[h]);
-        slot(h) = vertex;
-      }
+      internal::for_each_in_fan(
+          surface.opposite, start, [&](Index h) { return segmentation.is_glued(surface, h); },
+          [&](Index h) { slot(h) = vertex; });
     }
   }
   return chart;
@@ -98,24 +86,7 @@ inline Chart_topology topology(const Chart& chart)
   result.euler = static_cast<long long>(chart.number_of_vertices()) - edges +
                  static_cast<long long>(chart.number_of_triangles());
 
-  std::vector<bool> seen(chart.number_of_triangles(), false);
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < seen.size(); ++seed) {
-    if (seen[seed])
-      continue;
-    ++result.components;
-    seen[seed] = true;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (const Index o = opposite[h]; o != no_index && !seen[o / 3]) {
-          seen[o / 3] = true;
-          stack.push_back(o / 3);
-        }
-    }
-  }
+  result.components = internal::connected_components(opposite).count;
   return result;
 }
 

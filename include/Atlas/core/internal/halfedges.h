@@ -53,6 +53,81 @@ inline std::vector<Index> opposite_halfedges(const std::vector<std::array<Index,
   return opposite;
 }
 
+/// Calls `visit(h)` for each halfedge that leaves the vertex where `start` leaves it, in the fan of triangles
+/// that hang together there across halfedges g with `is_glued(g)`. `start` comes first. Linear in the fan.
+template <typename IsGlued, typename Visit>
+void for_each_in_fan(const std::vector<Index>& opposite, Index start, IsGlued is_glued, Visit visit)
+{
+  // Counterclockwise until a seam or the start, then clockwise.
+  for (Index h = start;;) {
+    visit(h);
+    const Index before = previous_halfedge(h);
+    if (!is_glued(before))
+      break;
+    h = opposite[before];
+    if (h == start)
+      return;
+  }
+  for (Index h = start; is_glued(h);) {
+    h = next_halfedge(opposite[h]);
+    visit(h);
+  }
+}
+
+/// Enters triangles from `seed` on, across halfedges h with an opposite and `may_cross(h)`. `enter(t)` marks
+/// the triangle; it returns `false` if t has been entered before or is not wanted. Linear in the triangles
+/// entered.
+template <typename MayCross, typename Enter>
+void flood_fill(const std::vector<Index>& opposite, Index seed, MayCross may_cross, Enter enter)
+{
+  if (!enter(seed))
+    return;
+  std::vector<Index> stack{seed};
+  while (!stack.empty()) {
+    const Index t = stack.back();
+    stack.pop_back();
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      if (const Index o = opposite[h]; o != no_index && may_cross(h) && enter(o / 3))
+        stack.push_back(o / 3);
+  }
+}
+
+/// Parts of a set of triangles that hang together.
+struct Components
+{
+  std::vector<Index>
+      of_triangle; ///< numbered in the order of their first triangles; `no_index` for those not in the set
+  Index count = 0;
+};
+
+/// The parts of the triangles t with `is_in(t)` that hang together across halfedges h with `may_cross(h)`.
+/// O(n).
+template <typename IsIn, typename MayCross>
+Components connected_components(const std::vector<Index>& opposite, IsIn is_in, MayCross may_cross)
+{
+  Components result{std::vector<Index>(opposite.size() / 3, no_index), 0};
+  std::vector<Index>& number = result.of_triangle;
+  for (Index seed = 0; seed < number.size(); ++seed) {
+    if (number[seed] != no_index || !is_in(seed))
+      continue;
+    flood_fill(opposite, seed, may_cross, [&](Index t) {
+      if (number[t] != no_index || !is_in(t))
+        return false;
+      number[t] = result.count;
+      return true;
+    });
+    ++result.count;
+  }
+  return result;
+}
+
+/// The parts of all triangles that hang together over edges. O(n).
+inline Components connected_components(const std::vector<Index>& opposite)
+{
+  const auto always = [](Index) { return true; };
+  return connected_components(opposite, always, always);
+}
+
 /// The halfedge after `h` along the border of its chart: `is_seam(g)` tells the edges not to be turned
 /// across.
 template <typename IsSeam>

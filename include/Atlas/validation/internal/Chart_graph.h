@@ -68,25 +68,8 @@ public:
   template <typename Predicate>
   std::pair<std::vector<Index>, Index> components(Predicate is_in) const
   {
-    std::vector<Index> component(size(), no_index), stack;
-    Index count = 0;
-    for (Index seed = 0; seed < size(); ++seed) {
-      if (component[seed] != no_index || !is_in(seed))
-        continue;
-      component[seed] = count;
-      stack.push_back(seed);
-      while (!stack.empty()) {
-        const Index t = stack.back();
-        stack.pop_back();
-        for (Index h = 3 * t; h < 3 * t + 3; ++h)
-          if (const Index o = opposite_[h]; o != no_index && component[o / 3] == no_index && is_in(o / 3)) {
-            component[o / 3] = count;
-            stack.push_back(o / 3);
-          }
-      }
-      ++count;
-    }
-    return {component, count};
+    Components result = connected_components(opposite_, is_in, [](Index) { return true; });
+    return {std::move(result.of_triangle), result.count};
   }
 
 private:
