@@ -29,6 +29,8 @@ function(atlas_reaches_kernel header result)
     get_property(reaches GLOBAL PROPERTY atlas_reaches_kernel_${header})
   else()
     set(reaches FALSE)
+    # For the time being: a header and the definitions behind it include each other.
+    set_property(GLOBAL PROPERTY atlas_reaches_kernel_${header} FALSE)
     file(STRINGS ${atlas_include}/${header} lines REGEX "^#include <Atlas/")
     foreach(line IN LISTS lines)
       string(REGEX REPLACE "^#include <(.*)>.*" "\\1" included ${line})
