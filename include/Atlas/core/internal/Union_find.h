@@ -16,7 +16,16 @@ namespace Atlas::internal {
 class Union_find
 {
 public:
-  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
+  explicit Union_find(std::size_t n = 0) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
+
+  /// Adds a number, alone in its set, and returns it.
+  Index add()
+  {
+    parent_.push_back(static_cast<Index>(parent_.size()));
+    return parent_.back();
+  }
+
+  std::size_t size() const { return parent_.size(); }
 
   Index find(Index i)
   {
@@ -36,6 +45,16 @@ public:
       std::swap(i, j);
     parent_[j] = i;
     return true;
+  }
+
+  /// Per number that of its set; sets are numbered in the order of their least numbers. Returns how many.
+  Index number_sets(std::vector<Index>& number)
+  {
+    Index count = 0;
+    number.resize(parent_.size());
+    for (Index i = 0; i < parent_.size(); ++i)
+      number[i] = find(i) == i ? count++ : number[find(i)];
+    return count;
   }
 
 private:

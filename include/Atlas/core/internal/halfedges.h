@@ -54,11 +54,12 @@ inline std::vector<Index> opposite_halfedges(const std::vector<std::array<Index,
 }
 
 /// Calls `visit(h)` for each halfedge that leaves the vertex where `start` leaves it, in the fan of triangles
-/// that hang together there across halfedges g with `is_glued(g)`. `start` comes first. Linear in the fan.
+/// that hang together there across halfedges g with `is_glued(g)`: `start` first, on counterclockwise, and
+/// then, if the fan is open, those clockwise of `start`. Returns whether the fan goes all around. Linear in
+/// the fan.
 template <typename IsGlued, typename Visit>
-void for_each_in_fan(const std::vector<Index>& opposite, Index start, IsGlued is_glued, Visit visit)
+bool for_each_in_fan(const std::vector<Index>& opposite, Index start, IsGlued is_glued, Visit visit)
 {
-  // Counterclockwise until a seam or the start, then clockwise.
   for (Index h = start;;) {
     visit(h);
     const Index before = previous_halfedge(h);
@@ -66,12 +67,27 @@ void for_each_in_fan(const std::vector<Index>& opposite, Index start, IsGlued is
       break;
     h = opposite[before];
     if (h == start)
-      return;
+      return true;
   }
   for (Index h = start; is_glued(h);) {
     h = next_halfedge(opposite[h]);
     visit(h);
   }
+  return false;
+}
+
+/// The halfedge with which the fan of `start` begins, so that `for_each_in_fan()` from there goes
+/// counterclockwise only: the last one clockwise, or `start` where the fan goes all around.
+template <typename IsGlued>
+Index first_in_fan(const std::vector<Index>& opposite, Index start, IsGlued is_glued)
+{
+  Index h = start;
+  while (is_glued(h)) {
+    h = next_halfedge(opposite[h]);
+    if (h == start)
+      break;
+  }
+  return h;
 }
 
 /// Enters triangles from `seed` on, across halfedges h with an opposite and `may_cross(h)`. `enter(t)` marks
