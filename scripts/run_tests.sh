@@ -8,6 +8,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" "${ATLAS_TEST_PACKAGES[@]}"
 build test all "$@"
-say "Running the tests"
+say "Built after $((SECONDS / 60)) min $((SECONDS % 60)) s; running the tests"
 exec ctest --test-dir "$atlas_root/build/test" --output-on-failure --no-tests=error \
   --parallel "$(nproc)" --timeout 300

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Helpers of the other scripts, to be sourced: install what is missing, configure, build.
 
-# What the example needs, what the tests need besides, what the checks of the source need besides.
-ATLAS_EXAMPLE_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev
-                        libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev)
+# What the library needs with the readers and writers, what the programs need besides, the tests, the checks of the source.
+ATLAS_LIBRARY_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev libpng-dev
+                        libtinygltf-dev nlohmann-json3-dev)
+ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
 ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev)
 ATLAS_CHECK_PACKAGES=(clang-format)
 
@@ -50,6 +51,36 @@ install_packages() {
   say "Installing ${missing[*]}"
   apt_get update || die "the lists of Debian packages cannot be brought up to date"
   apt_get install --yes --no-install-recommends "${missing[@]}" || die "could not install ${missing[*]}"
+}
+
+# install_clang: clang, its sanitizers, and what names the lines in their reports.
+install_clang() {
+  install_packages clang llvm
+  local version
+  version=$(clang --version | sed -n 's/.*version \([0-9]*\).*/\1/p;q')
+  install_packages "libclang-rt-$version-dev"
+}
+
+# demo_mesh FILE: extracts a mesh of the package libcgal-demo to ./atlas_output and prints its path.
+demo_mesh() {
+  local archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  mkdir -p atlas_output
+  if [ ! -e "atlas_output/$1" ]; then
+    install_packages libcgal-demo
+    # Slim container images are told not to install documentation, which is where the meshes are.
+    [ -r "$archive" ] || archive=$(unpack_documentation libcgal-demo "$archive")
+    tar --extract --gzip --to-stdout --file "$archive" "data/meshes/$1" >"atlas_output/$1.part"
+    mv "atlas_output/$1.part" "atlas_output/$1"
+  fi
+  printf '%s\n' "atlas_output/$1"
+}
+
+# unpack_documentation PACKAGE FILE: downloads the package and prints the path of a copy of its FILE.
+unpack_documentation() {
+  local folder=$atlas_root/build/$1
+  mkdir -p "$folder"
+  (cd "$folder" && apt-get -qq download "$1" >&2 && dpkg-deb --extract "$1"_*.deb .)
+  printf '%s\n' "$folder$2"
 }
 
 # build PRESET TARGET [CMAKE OPTIONS...]: configures and builds in build/PRESET, with ccache when it is there.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a mesh file: either a soup that keeps its promises, or an IO_error of one line.
+// Any bytes as a mesh file: either a soup that keeps its promises, or an IO_error of one line. The first byte
+// tells the format, the others are the file.
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_obj.h>
 #include <Atlas/core/build_surface.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -26,12 +28,14 @@ void require(bool is_true, const char* what)
   std::abort();
 }
 
+constexpr std::array extensions{".obj", ".off", ".ply", ".stl", ".glb", ".gltf"};
+
 /// A file in memory, where there is a file system for it.
-std::filesystem::path place_of_file()
+std::filesystem::path place_of_file(const char* extension)
 {
   const std::filesystem::path shared = "/dev/shm";
   const auto folder = std::filesystem::is_directory(shared) ? shared : std::filesystem::temp_directory_path();
-  return folder / ("atlas-fuzz-" + std::to_string(::getpid()) + ATLAS_FUZZ_EXTENSION);
+  return folder / ("atlas-fuzz-" + std::to_string(::getpid()) + extension);
 }
 
 template <typename Values>
@@ -62,8 +66,10 @@ void check(const Polygon_soup& soup)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const std::filesystem::path path = place_of_file();
-  internal::write_whole_file(path, {reinterpret_cast<const char*>(data), size});
+  if (size == 0)
+    return 0;
+  const std::filesystem::path path = place_of_file(extensions[data[0] % extensions.size()]);
+  internal::write_whole_file(path, {reinterpret_cast<const char*>(data) + 1, size - 1});
   try {
     const Polygon_soup soup = read_polygon_soup(path);
     check(soup);
@@ -76,5 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(message.find('\n') == message.npos, "messages have one line");
     require(message.substr(0, path.string().size()) == path.string(), "messages begin with the file");
   }
+  std::filesystem::remove(path);
   return 0;
 }
