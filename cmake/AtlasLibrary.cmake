@@ -2,6 +2,7 @@
 # atlas_add_library(NAME ROOMS...): the library NAME of all *_impl.h of the rooms, one source for each; the same as
 # NAME_header_only; and NAME_headers, what both have in common.
 include_guard(GLOBAL)
+option(ATLAS_UNITY_BUILD "Compile sources of the library eight at a time: all of them sooner, one of them later" OFF)
 set(ATLAS_SOURCE_DIR ${CMAKE_CURRENT_LIST_DIR}/..)
 function(atlas_add_library name)
   set(sources)
@@ -20,7 +21,9 @@ function(atlas_add_library name)
   add_library(${name}_header_only INTERFACE)
   target_compile_definitions(${name}_header_only INTERFACE ATLAS_HEADER_ONLY)
   target_link_libraries(${name}_header_only INTERFACE ${name}_headers)
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # Headers that are all included together when there is no library can be compiled together as well.
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ${ATLAS_UNITY_BUILD}
+                                           UNITY_BUILD_BATCH_SIZE 8)
   target_compile_options(${name} PRIVATE ${ATLAS_WARNINGS})
   foreach(target IN ITEMS ${name} ${name}_headers ${name}_header_only)
     add_library(Atlas::${target} ALIAS ${target})

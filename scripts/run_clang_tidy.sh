@@ -10,4 +10,4 @@ source_file=$(mktemp --suffix=.cpp)
 trap 'rm "$source_file"' EXIT
 (cd include && find Atlas -name '*.h' | LC_ALL=C sort | sed 's/.*/#include <&>/') >"$source_file"
 clang-tidy --quiet --config-file=.clang-tidy --header-filter=include/Atlas/ "$source_file" -- -std=c++20 \
-  -Iinclude -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse -DCGAL_LINKED_WITH_TBB
+  -Iinclude -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse -DCGAL_LINKED_WITH_TBB -DATLAS_HEADER_ONLY
