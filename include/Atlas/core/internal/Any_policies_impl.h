@@ -20,11 +20,6 @@ ATLAS_INLINE std::string name_of_type(const std::type_info& type)
   return boost::core::demangle(type.name());
 }
 
-inline bool is_finite(const Point_2& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y());
-}
-
 /// What a chart is worth whose coordinates a policy of that role says it has filled.
 inline Chart_status checked_coordinates(const Chart& chart, Chart_status status, const char* role,
                                         const std::string& type)
@@ -35,7 +30,10 @@ inline Chart_status checked_coordinates(const Chart& chart, Chart_status status,
     throw Policy_error(role, type,
                        "returned " + std::to_string(chart.uv.size()) + " coordinates for a chart of " +
                            std::to_string(chart.points.size()) + " vertices");
-  return std::all_of(chart.uv.begin(), chart.uv.end(), is_finite) ? status : Chart_status::solver_failed;
+  const bool is_finite = std::all_of(chart.uv.begin(), chart.uv.end(), [](const Point_2& p) {
+    return std::isfinite(p.x()) && std::isfinite(p.y());
+  });
+  return is_finite ? status : Chart_status::solver_failed;
 }
 
 } // namespace internal
