@@ -3,6 +3,10 @@
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/features/Chart_boundaries.h>
+#include <Atlas/segmentation/internal/features/Small_chart_absorber.h>
+#include <Atlas/segmentation/internal/features/Sock_finder.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include "segmentation_checks.h"
 #include "segmentation_shapes.h"
@@ -111,9 +115,9 @@ TEST(Feature_segmentation, Small_charts_go_to_the_neighbour_with_most_border)
 {
   // A strip of six cells along the bottom of a sheet: six edges to the chart above, one to that beside.
   const Surface surface = test::surface_of(test::planar_grid(8, 8));
-  const internal::Submesh piece = internal::surface_connectivity(surface);
+  const internal::Submesh submesh = internal::surface_connectivity(surface);
   for (const Index above : {0u, 1u}) {
-    internal::Chart_boundaries boundaries(surface, piece);
+    internal::Chart_boundaries boundaries(surface, submesh);
     for (int c = 0; c < 3; ++c)
       boundaries.new_chart();
     const auto is_in_strip = [&](Index t) {
@@ -121,7 +125,7 @@ TEST(Feature_segmentation, Small_charts_go_to_the_neighbour_with_most_border)
     };
     for (Index t = 0; t < surface.number_of_triangles(); ++t)
       boundaries.put(t, is_in_strip(t) ? 2 : middle(surface, t).x() < 0.75 ? above : 1 - above);
-    internal::Small_chart_absorber(surface, piece, boundaries).run({13, 0, 0});
+    internal::Small_chart_absorber(surface, submesh, boundaries).run({13, 0, 0});
     for (Index t = 0; t < surface.number_of_triangles(); ++t)
       EXPECT_EQ(boundaries.chart(t) == boundaries.chart(0), middle(surface, t).x() < 0.75);
   }

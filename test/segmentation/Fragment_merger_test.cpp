@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pieces of refused charts that find other charts.
+// Fragments of refused charts that find other charts.
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
@@ -48,16 +49,16 @@ TEST(Trial_merge, prefers_long_borders_and_makes_discs)
     return y == 0 || y > 2 ? (y == 0 ? 1 : 2) : x < 6 ? 0 : 3;
   });
   const Segmentation before = segmentation;
-  internal::Trial_merge gluing(surface, segmentation);
+  internal::Trial_merge trial(surface, segmentation);
   const Chart bar = extract_charts(surface, segmentation)[0];
-  EXPECT_EQ(gluing.neighbours(bar), (std::vector<Index>{1, 2, 3}));
+  EXPECT_EQ(trial.neighbours(bar), (std::vector<Index>{1, 2, 3}));
   for (const Index other : {1u, 2u, 3u}) {
-    gluing.glue(bar, other);
+    trial.merge(bar, other);
     const Chart joined = extract_charts(surface, segmentation)[other];
     EXPECT_EQ(joined.number_of_triangles(),
               bar.number_of_triangles() + extract_charts(surface, before)[other].number_of_triangles());
     EXPECT_TRUE(topology(joined).is_disc());
-    gluing.undo(bar);
+    trial.undo(bar);
     EXPECT_TRUE(equal(segmentation, before));
   }
 }
@@ -71,9 +72,9 @@ TEST(Trial_merge, leaves_a_cut_where_charts_touch_twice)
   });
   const Chart lid = extract_charts(surface, segmentation)[0];
   const Segmentation before = segmentation;
-  internal::Trial_merge gluing(surface, segmentation);
-  EXPECT_EQ(gluing.neighbours(lid), (std::vector<Index>{1, 2}));
-  gluing.glue(lid, 1);
+  internal::Trial_merge trial(surface, segmentation);
+  EXPECT_EQ(trial.neighbours(lid), (std::vector<Index>{1, 2}));
+  trial.merge(lid, 1);
   const Chart joined = extract_charts(surface, segmentation)[1];
   EXPECT_TRUE(topology(joined).is_disc());
   Index cut = 0;
@@ -81,7 +82,7 @@ TEST(Trial_merge, leaves_a_cut_where_charts_touch_twice)
     cut += segmentation.cut[h] && surface.opposite[h] != no_index &&
            segmentation.chart[h / 3] == segmentation.chart[surface.opposite[h] / 3];
   EXPECT_EQ(cut, 2u * 2) << "both sides of the two edges to the thinner arm";
-  gluing.undo(lid);
+  trial.undo(lid);
   EXPECT_TRUE(equal(segmentation, before));
 }
 
@@ -97,8 +98,8 @@ TEST(Trial_merge, fills_the_hole_of_a_slit_ring)
   }
   const std::vector<Chart> charts = extract_charts(surface, segmentation);
   ASSERT_TRUE(topology(charts[1]).is_disc());
-  internal::Trial_merge gluing(surface, segmentation);
-  gluing.glue(charts[0], 1);
+  internal::Trial_merge trial(surface, segmentation);
+  trial.merge(charts[0], 1);
   segmentation.number_of_charts = 2;
   EXPECT_TRUE(topology(extract_charts(surface, segmentation)[1]).is_disc());
 }
@@ -121,7 +122,7 @@ TEST(Trial_merge, stops_where_a_third_chart_comes_between_in_a_vertex)
   ASSERT_EQ(third, 1u);
   const std::vector<Chart> charts = extract_charts(surface, segmentation);
   ASSERT_TRUE(topology(charts[1]).is_disc());
-  internal::Trial_merge(surface, segmentation).glue(charts[0], 1);
+  internal::Trial_merge(surface, segmentation).merge(charts[0], 1);
   EXPECT_TRUE(topology(extract_charts(surface, segmentation)[1]).is_disc());
 }
 
@@ -211,31 +212,25 @@ TEST(Fragment_merger, does_not_depend_on_threads)
   EXPECT_EQ(one, four);
 }
 
-/// Charts with a number for a distortion, and a flattening that adds no more than that.
-struct Numbered
-{
-  Chart chart;
-};
-
 TEST(Fragment_merger, takes_back_what_is_not_accepted)
 {
   const Surface surface = surface_of(planar_grid(cells, cells));
   Segmentation segmentation =
       charts_by_cell(surface, 4, [](int x, int y) -> Index { return x / 4 + 2 * (y / 4); });
   const Segmentation before = segmentation;
-  std::vector<Numbered> charts;
+  std::vector<internal::Flattened_chart> charts;
   for (Chart& chart : extract_charts(surface, segmentation))
-    charts.push_back({std::move(chart)});
+    charts.push_back({std::move(chart), {}, {}});
   std::size_t attempts = 0;
   const auto flatten = [&](Chart chart) {
     ++attempts;
-    return Numbered{std::move(chart)};
+    return internal::Flattened_chart{std::move(chart), {}, {}};
   };
-  const auto never = [](const Numbered&, const Numbered&, const Numbered&) { return false; };
+  const auto never = [](const auto&, const auto&, const auto&) { return false; };
   const std::size_t joined =
       internal::Fragment_merger(surface, segmentation, charts, flatten, never, 5, Execution(1)).run({0, 3});
   EXPECT_EQ(joined, 0u);
-  EXPECT_GE(attempts, 4u) << "each piece has two neighbours";
+  EXPECT_GE(attempts, 4u) << "each fragment has two neighbours";
   EXPECT_TRUE(equal(segmentation, before));
   for (Index c = 0; c < 4; ++c)
     EXPECT_EQ(charts[c].chart.number_of_triangles(), 2u * cells * cells / 4);
@@ -243,25 +238,25 @@ TEST(Fragment_merger, takes_back_what_is_not_accepted)
 
 TEST(Fragment_merger, flattens_a_bounded_number_of_triangles)
 {
-  // Every cell a piece: unbounded, each would be tried with all its neighbours.
+  // Every cell a fragment: unbounded, each would be tried with all its neighbours.
   const Surface surface = surface_of(planar_grid(40, 40));
   Segmentation segmentation = one_chart(surface);
   for (Index t = 0; t < surface.number_of_triangles(); ++t)
     segmentation.chart[t] = t / 2;
   segmentation.number_of_charts = 1600;
-  std::vector<Numbered> charts;
-  std::vector<Index> pieces;
+  std::vector<internal::Flattened_chart> charts;
+  std::vector<Index> fragments;
   for (Chart& chart : extract_charts(surface, segmentation)) {
-    pieces.push_back(static_cast<Index>(charts.size()));
-    charts.push_back({std::move(chart)});
+    fragments.push_back(static_cast<Index>(charts.size()));
+    charts.push_back({std::move(chart), {}, {}});
   }
   std::size_t triangles = 0;
   const auto flatten = [&](Chart chart) {
     triangles += chart.number_of_triangles();
-    return Numbered{std::move(chart)};
+    return internal::Flattened_chart{std::move(chart), {}, {}};
   };
-  const auto never = [](const Numbered&, const Numbered&, const Numbered&) { return false; };
-  internal::Fragment_merger(surface, segmentation, charts, flatten, never, 5, Execution(1)).run(pieces);
+  const auto never = [](const auto&, const auto&, const auto&) { return false; };
+  internal::Fragment_merger(surface, segmentation, charts, flatten, never, 5, Execution(1)).run(fragments);
   EXPECT_GT(triangles, surface.number_of_triangles());
   EXPECT_LE(triangles, 5 * surface.number_of_triangles());
 }

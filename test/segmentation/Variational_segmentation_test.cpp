@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/segmentation/Normal_segmentation.h>
 #include <Atlas/segmentation/Region_growing_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>

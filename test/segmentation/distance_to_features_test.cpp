@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/segmentation/distance_to_features.h>
+#include <Atlas/segmentation/Feature_segmentation.h>
+#include <Atlas/segmentation/internal/features/Fast_marching.h>
+#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include "segmentation_shapes.h"
 
@@ -43,24 +45,24 @@ TEST(Distance_to_features, To_a_feature_and_along_the_surface)
 TEST(Distance_to_features, A_plane_wave_is_exact_and_a_round_one_nearly)
 {
   const Surface surface = test::surface_of(test::planar_grid(40, 40));
-  const internal::Submesh piece = internal::surface_connectivity(surface);
-  internal::Fast_marching front(surface, piece);
+  const internal::Submesh submesh = internal::surface_connectivity(surface);
+  internal::Fast_marching marching(surface, submesh);
   std::vector<Index> left;
   Index centre = no_index;
-  for (Index h = 0; h < piece.vertex.size(); ++h) {
+  for (Index h = 0; h < submesh.vertex.size(); ++h) {
     if (surface.point(h).x() == 0)
-      left.push_back(piece.vertex[h]);
+      left.push_back(submesh.vertex[h]);
     if (surface.point(h) == Point_3(0.5, 0.5, 0))
-      centre = piece.vertex[h];
+      centre = submesh.vertex[h];
   }
-  front.run(left);
-  for (Index h = 0; h < piece.vertex.size(); ++h)
-    ASSERT_NEAR(front.distance()[piece.vertex[h]], surface.point(h).x(), 1e-12);
+  marching.run(left);
+  for (Index h = 0; h < submesh.vertex.size(); ++h)
+    ASSERT_NEAR(marching.distance()[submesh.vertex[h]], surface.point(h).x(), 1e-12);
   ASSERT_NE(centre, no_index);
-  front.run({centre});
-  for (Index h = 0; h < piece.vertex.size(); ++h) {
+  marching.run({centre});
+  for (Index h = 0; h < submesh.vertex.size(); ++h) {
     const double exact = std::sqrt(CGAL::squared_distance(surface.point(h), Point_3(0.5, 0.5, 0)));
-    const double d = front.distance()[piece.vertex[h]];
+    const double d = marching.distance()[submesh.vertex[h]];
     EXPECT_GE(d, exact * (1 - 1e-9));
     EXPECT_LE(d, exact * 1.03 + 0.02);
   }
@@ -120,13 +122,13 @@ TEST(Distance_to_features, Patch_borders_and_wanted_seams_are_sources)
   surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
   const Index seam = 3 * 300;
   surface.constraint[seam] = surface.constraint[surface.opposite[seam]] = Edge_constraint::seam;
-  const internal::Submesh piece = internal::surface_connectivity(surface);
-  const auto field = internal::distance_to_features(surface, piece, no_features(surface));
-  EXPECT_EQ(field.vertex[piece.vertex[seam]], 0);
-  EXPECT_EQ(field.vertex[piece.head(seam)], 0);
+  const internal::Submesh submesh = internal::surface_connectivity(surface);
+  const auto field = internal::distance_to_features(surface, submesh, no_features(surface));
+  EXPECT_EQ(field.vertex[submesh.vertex[seam]], 0);
+  EXPECT_EQ(field.vertex[submesh.head(seam)], 0);
   for (Index h = 0; h < surface.opposite.size(); ++h)
     if (surface.patch[h / 3] != surface.patch[surface.opposite[h] / 3]) {
-      EXPECT_EQ(field.vertex[piece.vertex[h]], 0);
+      EXPECT_EQ(field.vertex[submesh.vertex[h]], 0);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/segmentation/expand_charts.h>
+#include <Atlas/segmentation/Feature_segmentation.h>
 
 #include "segmentation_checks.h"
 #include "segmentation_shapes.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/concepts.h>
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
@@ -8,6 +9,9 @@
 #include <Atlas/segmentation/Normal_segmentation.h>
 #include <Atlas/segmentation/Region_growing_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/merging/Chart_arcs.h>
+#include <Atlas/segmentation/internal/merging/Coarse_surface.h>
 #include <Atlas/segmentation/internal/merging/layout_quality.h>
 
 #include "test_meshes.h"
@@ -16,9 +20,7 @@ namespace Atlas::test {
 namespace {
 
 using Trial = Bijective_parameterizer<>;
-template <typename Base>
-using Merged = Merged_segmentation<Base, Trial, Identity_optimizer>;
-static_assert(ChartSegmentation<Merged<Variational_segmentation>>);
+static_assert(BoundedSegmentation<Merged_segmentation>);
 
 Merge_options unlimited()
 {
@@ -33,7 +35,7 @@ template <typename Base = Variational_segmentation>
 Segmentation merged(const Surface& s, const Merge_options& options = {}, const Base& base = Base(),
                     unsigned threads = 1)
 {
-  return Merged<Base>(base, Trial(), Identity_optimizer(), options).segment(s, Execution(threads));
+  return Merged_segmentation(base, Trial(), Identity_optimizer(), options).segment(s, Execution(threads));
 }
 
 void expect_discs(const Surface& s, const Segmentation& g)
@@ -148,7 +150,7 @@ TEST(MergeCharts, EveryMeasureBounds)
   for (int m = 0; m <= static_cast<int>(Distortion_measure::quasi_conformal); ++m) {
     Merge_options options = unlimited();
     options.measure = static_cast<Distortion_measure>(m);
-    options.max_distortion = 0.99;
+    options.max_distortion = 1;
     EXPECT_EQ(merged(s, options).number_of_charts, many);
     options.max_distortion = 2;
     EXPECT_LT(merged(s, options).number_of_charts, many / 2);
@@ -160,7 +162,7 @@ TEST(MergeCharts, LimitsTheShareOfAChart)
   const Surface s = bumpy_torus();
   Merge_options options;
   options.orders = 1;
-  options.solidity_of_large_charts = 2; // never reached
+  options.solidity_of_large_charts = 1; // never reached
   options.max_distortion = 2;
   for (const double share : {0.12, 0.3}) {
     options.max_area_share = share;
@@ -225,7 +227,8 @@ TEST(MergeCharts, TakesAnySurface)
   expect_discs(surface_of(fan), merged(surface_of(fan)));
   Execution cancelled;
   cancelled.cancel();
-  EXPECT_NO_THROW(Merged<Variational_segmentation>().segment(bumpy_torus(), cancelled));
+  EXPECT_NO_THROW(Merged_segmentation(Variational_segmentation(), Trial(), Identity_optimizer())
+                      .segment(bumpy_torus(), cancelled));
 }
 
 TEST(CoarseSurface, HasTheSameChartsAndArcsAndAlmostTheSameArea)

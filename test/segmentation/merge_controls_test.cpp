@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the user may ask of merged charts: where seams go, how many charts there are, how small they may be.
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
@@ -7,6 +8,9 @@
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Normal_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
+#include <Atlas/segmentation/smooth_borders.h>
 
 #include "segmentation_checks.h"
 #include "segmentation_shapes.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/parameterization/Identity_optimizer.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/smoothing/minimum_cut.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 #include <Atlas/segmentation/smooth_borders.h>
 
 #include "segmentation_checks.h"

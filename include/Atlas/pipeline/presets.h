@@ -68,8 +68,7 @@ inline constexpr int default_trial_iterations = 8;
 inline constexpr double default_trial_tolerance = 1e-3;
 
 /// Charts of about the same direction, merged while their union flattens well.
-struct Default_segmentation
-    : Merged_segmentation<Variational_segmentation, Bijective_parameterizer<>, Identity_optimizer>
+struct Default_segmentation : Merged_segmentation
 {
   explicit Default_segmentation(Atlas_mode mode = Atlas_mode::standard)
       : Default_segmentation(merge_options(mode), finish(mode))

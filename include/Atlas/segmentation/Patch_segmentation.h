@@ -4,9 +4,8 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/library.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -27,35 +26,18 @@ public:
   /// patch
   explicit Patch_segmentation(std::vector<Index> patch_of_face) : patch_of_face_(std::move(patch_of_face)) {}
 
-  Segmentation segment(const Surface& surface, const Execution& = Execution()) const
-  {
-    Segmentation result;
-    result.chart.resize(surface.number_of_triangles());
-    result.cut.assign(3 * surface.number_of_triangles(), 0);
-    std::vector<Index> numbers(result.chart.size());
-    for (Index t = 0; t < numbers.size(); ++t)
-      numbers[t] = patch(surface, t);
-    std::vector<Index> distinct = numbers;
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    for (Index t = 0; t < numbers.size(); ++t)
-      result.chart[t] = static_cast<Index>(std::lower_bound(distinct.begin(), distinct.end(), numbers[t]) -
-                                           distinct.begin());
-    result.number_of_charts = static_cast<Index>(distinct.size());
-    return result;
-  }
+  Segmentation segment(const Surface& surface, const Execution& execution = Execution()) const;
 
 private:
-  Index patch(const Surface& surface, Index t) const
-  {
-    if (!patch_of_face_.empty())
-      return surface.face[t] < patch_of_face_.size() ? patch_of_face_[surface.face[t]] : no_index;
-    return surface.patch.empty() ? 0 : surface.patch[t];
-  }
+  Index patch(const Surface& surface, Index t) const;
 
   std::vector<Index> patch_of_face_;
 };
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/segmentation/internal/elements/Patch_segmentation_impl.h>
+#endif
 
 #endif

@@ -2,69 +2,79 @@
 #ifndef ATLAS_SEGMENTATION_MERGE_CHARTS_H
 #define ATLAS_SEGMENTATION_MERGE_CHARTS_H
 
-#include <Atlas/core/Chart.h>
+#include <Atlas/core/Any_policies.h>
+#include <Atlas/core/Distortion_bound.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/concepts.h>
-#include <Atlas/segmentation/Merge_options.h>
-#include <Atlas/segmentation/internal/merging/Chart_arcs.h>
-#include <Atlas/segmentation/internal/merging/Chart_merger.h>
-#include <Atlas/segmentation/internal/merging/Coarse_surface.h>
-#include <Atlas/segmentation/internal/surface/Seam_costs.h>
+#include <Atlas/core/library.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace Atlas {
 
-namespace internal {
-
-/// Per arc, what a seam costs there per length, on average.
-inline std::vector<double> arc_weights(const Surface& surface, const Chart_arcs& arcs)
+/// \brief When charts may merge, and how long better ways to merge them are sought.
+///
+/// Charts are flattened for trial on a coarse copy of the surface, which has the same charts but few
+/// triangles.
+struct Merge_options
 {
-  std::vector<double> cost(arcs.number_of_arcs(), 0), length(arcs.number_of_arcs(), 0);
-  for (Index h = 0; h < arcs.side.size(); ++h)
-    if (arcs.side[h] != no_index) {
-      const bool is_unwanted =
-          !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam;
-      const double l = edge_length(surface, h);
-      length[arcs.side[h] / 2] += l;
-      cost[arcs.side[h] / 2] += l * wanted_cost(surface, h) * (is_unwanted ? penalty_of_unwanted_seams : 1);
-    }
-  for (Index a = 0; a < cost.size(); ++a)
-    cost[a] = length[a] > 0 ? cost[a] / length[a] : 1;
-  return cost;
-}
+  /// The figure of distortion that is bounded.
+  Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
+  /// Its bound for each chart that comes from merging: at least 1, which is no distortion; infinity: none.
+  double max_distortion = 1.035;
+  /// Trials may use this share of what the bound allows beyond 1: less than 1 leaves a margin for what only
+  /// the full resolution shows. In (0, 1].
+  double share_for_trials = 1;
+  /// A chart may have at most this share of the surface's area, in (0, 1], because large charts leave gaps on
+  /// the page, ...
+  double max_area_share = 0.25;
+  /// ... unless it fills at least this share of its convex hull when flat, in [0, 1].
+  double solidity_of_large_charts = 0.85;
+  /// Every chart that comes from merging fills at least this share of its convex hull, in [0, 1].
+  double min_solidity = 0.55;
+  /// Two edges of the border of such a chart are at least this share of the shorter one's length apart in the
+  /// plane, neighbours excepted, in [0, 1]: a chart whose coarse outline keeps off itself will do so in
+  /// detail.
+  double min_gap = 0.05;
+  /// Two charts are not tried together if their common border looks too different in their two layouts. After
+  /// the best rotation and shift of one onto the other, the root mean square distance of the two is at most
+  /// this many times the square root of the charts' area. Not negative; infinity: all are tried.
+  double max_misfit = 0.2;
+  /// About how many triangles a chart has on the coarse surface; positive.
+  double triangles_per_chart = 70;
+  /// A union with more triangles than that on the coarse surface is not tried: a bound on the cost of a
+  /// trial.
+  std::size_t max_trial_triangles = 5000;
+  /// So many pairs of charts are tried at a time, and possibly in parallel; at least 1. It is part of the
+  /// result, unlike the number of threads.
+  std::size_t batch = 8;
+  /// Merging is done in so many orders, 1 to 6, and the result with the shortest seams is taken ...
+  std::size_t orders = 6;
+  /// ... but in no more orders than flatten about so many triangles for trial, all together: a bound on the
+  /// time for surfaces of a hundred handles and more, whose charts can hardly be merged.
+  std::size_t max_work_of_orders = 1'000'000;
+  /// Merging goes on past the bound until there are at most so many charts, as far as discs, patches and
+  /// seams allow; 0: no such wish.
+  std::size_t max_charts = 0;
+  /// Charts below this share of the surface's area join a neighbour even past the bound, if the union is a
+  /// disc; not negative; 0: no such wish; 1 and more: all charts join that can.
+  double min_chart_area = 0;
+  /// Only for `Merged_segmentation`: whether borders are smoothed before charts merge and, where the bound
+  /// allows it, afterwards.
+  bool are_borders_smoothed = true;
+};
 
-/// Merges in several orders and returns the merger with the shortest seams of those that come nearest to the
-/// number of charts that is asked for. What the first order costs tells how many can be afforded.
-template <typename Merger>
-Merger best_merger(const Merger& unmerged, const Merge_options& options, const Execution& execution)
-{
-  constexpr std::array orders{Merge_order::by_union,
-                              Merge_order::by_mean_perimeter,
-                              Merge_order::by_perimeter_in_union,
-                              Merge_order::by_larger_perimeter,
-                              Merge_order::by_length,
-                              Merge_order::by_smaller_area};
-  std::vector<Merger> mergers{unmerged};
-  mergers[0].run(orders[0]);
-  const std::size_t affordable = options.max_work_of_orders / std::max<std::size_t>(mergers[0].work(), 1);
-  while (mergers.size() < std::min({options.orders, affordable, orders.size()}))
-    mergers.push_back(unmerged);
-  execution.for_each(mergers.size() - 1, [&](std::size_t i) { mergers[i + 1].run(orders[i + 1]); });
-  const auto score = [&](const Merger& m) {
-    const std::size_t charts = m.number_of_charts();
-    return std::pair(options.max_charts > 0 ? std::max(charts, options.max_charts) : 0, m.seam_length());
-  };
-  return *std::min_element(mergers.begin(), mergers.end(),
-                           [&](const Merger& a, const Merger& b) { return score(a) < score(b); });
-}
+/// Fewer charts and shorter seams for more distortion: a bound of 1.05, and charts as large and as ramified
+/// as it allows. On the eight meshes of the manual's table a quarter of UVAtlas's charts and less than two
+/// thirds of its seams; pages fill less well, since a large chart leaves gaps that nothing can fill.
+Merge_options few_seams_options();
 
-} // namespace internal
+/// For maps that are conformal and nothing else (section 3.3 of the LSCM paper): densities in a chart differ
+/// by a factor of two at most, but for the extreme hundredth of the area at either end. To be used with a
+/// parameterizer that keeps LSCM's maps as they are, and a validator with the same bound. The extremes of a
+/// conformal map sit in the details of the border, which the coarse surface does not have; so trials keep a
+/// margin, and the surface is finer than usual.
+Merge_options conformal_options();
 
 /// \brief Merges adjacent charts while the union is a disc that can be flattened within a bound.
 ///
@@ -82,36 +92,17 @@ Merger best_merger(const Merger& unmerged, const Merge_options& options, const E
 /// more unions are discs.
 ///
 /// The cost is that of O(charts) flattenings of a few hundred triangles, and O(n) for the coarse surface.
-template <ChartParameterizer Parameterizer, UVOptimizer Optimizer>
+///
+/// \throws Invalid_argument if an option is out of its range, or the segmentation has other sizes than the
+/// surface
 void merge_charts(const Surface& surface, Segmentation& segmentation, const Merge_options& options,
-                  const Parameterizer& parameterizer, const Optimizer& optimizer,
-                  const Execution& execution = Execution())
-{
-  const internal::Chart_arcs arcs = internal::chart_arcs(surface, segmentation);
-  const internal::Coarse_surface coarse =
-      internal::Surface_simplifier(surface, segmentation, arcs, options.triangles_per_chart).run();
-  const Execution alone; // trials run side by side, each on one thread
-  const auto flatten = [&](Chart& chart) {
-    const Chart_status status = parameterizer.parameterize(chart, alone);
-    return status == Chart_status::valid ? optimizer.optimize(chart, alone) : status;
-  };
-  const internal::Chart_merger unmerged(coarse, arcs, internal::arc_weights(surface, arcs),
-                                        segmentation.number_of_charts, options, flatten, execution);
-  internal::Chart_merger merger = internal::best_merger(unmerged, options, execution);
-
-  std::vector<Index> number(segmentation.number_of_charts, no_index);
-  segmentation.number_of_charts = 0;
-  for (Index& c : segmentation.chart) {
-    Index& n = number[merger.chart_of(c)];
-    if (n == no_index)
-      n = segmentation.number_of_charts++;
-    c = n;
-  }
-  for (Index h = 0; h < arcs.side.size(); ++h)
-    if (arcs.side[h] != no_index && surface.opposite[h] != no_index)
-      segmentation.cut[h] = !merger.is_glued(arcs.side[h] / 2);
-}
+                  const Any_parameterizer& parameterizer, const Any_optimizer& optimizer,
+                  const Execution& execution = Execution());
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/segmentation/internal/merging/merge_charts_impl.h>
+#endif
 
 #endif

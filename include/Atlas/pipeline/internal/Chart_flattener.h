@@ -7,6 +7,7 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/concepts.h>
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/Flattened_chart.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Schnyder_parameterizer.h>
@@ -23,14 +24,6 @@
 #include <vector>
 
 namespace Atlas::internal {
-
-/// A chart in the plane, in units of the model, with what the policies said of it.
-struct Flattened_chart
-{
-  Chart chart;
-  Chart_verdict verdict;
-  Flattening_record record;
-};
 
 /// \brief Flattens the charts of a segmentation until each one is accepted.
 ///

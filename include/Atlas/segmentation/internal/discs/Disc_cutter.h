@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -20,21 +21,23 @@
 
 namespace Atlas::internal {
 
-/// How much cheaper a cut along an edge of 90 degrees or more is than a cut through flat land.
-inline constexpr double cut_discount_of_sharp_edges = 0.75;
+/// The angle between normals from which on a cut is cheapest: that of a box.
+inline constexpr double sharp_angle_of_cuts = std::numbers::pi / 2;
+/// How much cheaper a cut is there than in flat land.
+inline constexpr double sharp_discount_of_cuts = 0.75;
+
 /// What cutting along an edge costs: its length times the user's factor, less where it is sharp, much more
 /// where there should be no seam.
 inline double cut_cost(const Surface& surface, Index h)
 {
   const double angle =
       angle_between(unit_normal(surface, h / 3), unit_normal(surface, surface.opposite[h] / 3));
-  const double sharp = std::min(1., angle / (CGAL_PI / 2));
-  const bool avoid = !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam;
-  return edge_length(surface, h) * wanted_cost(surface, h) * (1 - cut_discount_of_sharp_edges * sharp) *
-         (avoid ? penalty_of_unwanted_seams : 1);
+  const double sharp = std::min(1., angle / sharp_angle_of_cuts);
+  return edge_length(surface, h) * wanted_cost(surface, h) * (1 - sharp_discount_of_cuts * sharp) *
+         (is_unwanted_seam(surface, h) ? penalty_of_unwanted_seams : 1);
 }
 
-/// \brief Opens one connected piece until it is a disc, along short cuts.
+/// \brief Opens one connected submesh until it is a disc, along short cuts.
 ///
 /// Tree and cotree (D. Eppstein, Dynamic generators of topologically embedded graphs, SODA 2003; J. Erickson,
 /// K. Whittlesey, Greedy optimal homotopy and homology generators, SODA 2005): shortest paths grow from the
@@ -45,14 +48,14 @@ inline double cut_cost(const Surface& surface, Index h)
 class Disc_cutter
 {
 public:
-  Disc_cutter(const Surface& surface, Submesh& piece) : surface_(surface), piece_(piece) {}
+  Disc_cutter(const Surface& surface, Submesh& submesh) : surface_(surface), submesh_(submesh) {}
 
-  /// Unglues edges of the piece; every one is told to `cut` as a halfedge of the surface.
+  /// Unglues edges of the submesh; every one is told to `cut` as a halfedge of the surface.
   template <typename Cut>
   void run(Cut cut)
   {
-    const std::size_t loops = piece_.number_of_border_loops();
-    const long long euler = piece_.euler();
+    const std::size_t loops = submesh_.number_of_border_loops();
+    const long long euler = submesh_.euler();
     if (loops == 1 && euler == 1 && !is_border_one_slit())
       return;
     find_costs();
@@ -68,8 +71,8 @@ public:
         break;
       for (std::size_t i = 0; i < (generators.size() + 1) / 2; ++i) {
         chosen_.push_back(generators[i]);
-        append_path(piece_.vertex[generators[i]]);
-        append_path(piece_.head(generators[i]));
+        append_path(submesh_.vertex[generators[i]]);
+        append_path(submesh_.head(generators[i]));
       }
     }
     if (is_border_one_slit()) {
@@ -81,24 +84,24 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  bool is_passable(Index h) const { return piece_.opposite[h] != no_index && !is_diagonal_[h]; }
+  bool is_passable(Index h) const { return submesh_.opposite[h] != no_index && !is_diagonal_[h]; }
 
   /// A sphere with a slit along one edge is a disc, but both sides of the slit have the same two vertices.
   bool is_border_one_slit() const
   {
-    return std::count(piece_.opposite.begin(), piece_.opposite.end(), no_index) == 2;
+    return std::count(submesh_.opposite.begin(), submesh_.opposite.end(), no_index) == 2;
   }
 
   void find_costs()
   {
-    cost_.assign(piece_.opposite.size(), 0);
-    is_diagonal_.assign(piece_.opposite.size(), 0);
-    for (Index h = 0; h < piece_.opposite.size(); ++h) {
-      const Index o = piece_.opposite[h];
+    cost_.assign(submesh_.opposite.size(), 0);
+    is_diagonal_.assign(submesh_.opposite.size(), 0);
+    for (Index h = 0; h < submesh_.opposite.size(); ++h) {
+      const Index o = submesh_.opposite[h];
       if (o == no_index || o < h)
         continue;
-      cost_[h] = cost_[o] = cut_cost(surface_, piece_.global(h));
-      is_diagonal_[h] = is_diagonal_[o] = surface_.is_diagonal(piece_.global(h));
+      cost_[h] = cost_[o] = cut_cost(surface_, submesh_.global(h));
+      is_diagonal_[h] = is_diagonal_[o] = surface_.is_diagonal(submesh_.global(h));
     }
   }
 
@@ -106,9 +109,9 @@ private:
   void grow_paths(const std::vector<Index>& sources)
   {
     using Entry = std::pair<double, Index>;
-    distance_.assign(piece_.number_of_vertices(), infinity);
-    arrival_.assign(piece_.number_of_vertices(), no_index);
-    std::vector<std::uint8_t> done(piece_.number_of_vertices(), 0);
+    distance_.assign(submesh_.number_of_vertices(), infinity);
+    arrival_.assign(submesh_.number_of_vertices(), no_index);
+    std::vector<std::uint8_t> done(submesh_.number_of_vertices(), 0);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     for (const Index v : sources) {
       distance_[v] = 0;
@@ -120,8 +123,8 @@ private:
       if (done[v])
         continue;
       done[v] = 1;
-      for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k) {
-        const Index h = piece_.outgoing[k], w = piece_.head(h);
+      for (Index k = submesh_.first[v]; k < submesh_.first[v + 1]; ++k) {
+        const Index h = submesh_.outgoing[k], w = submesh_.head(h);
         const double d = distance_[v] + cost_[h];
         // The second condition is for coordinates near the end of the range, where lengths overflow.
         const bool is_better = d < distance_[w] || (arrival_[w] == no_index && distance_[w] == infinity);
@@ -137,8 +140,8 @@ private:
   void grow_paths_from_border()
   {
     std::vector<Index> sources;
-    for (Index v = 0; v < piece_.number_of_vertices(); ++v)
-      if (piece_.is_on_border[v])
+    for (Index v = 0; v < submesh_.number_of_vertices(); ++v)
+      if (submesh_.is_on_border[v])
         sources.push_back(v);
     grow_paths(sources);
   }
@@ -148,20 +151,20 @@ private:
   std::vector<Index> find_generators() const
   {
     std::vector<std::pair<double, Index>> edges;
-    Union_find faces(piece_.triangles.size());
-    for (Index h = 0; h < piece_.opposite.size(); ++h) {
-      const Index o = piece_.opposite[h];
+    Union_find faces(submesh_.triangles.size());
+    for (Index h = 0; h < submesh_.opposite.size(); ++h) {
+      const Index o = submesh_.opposite[h];
       if (o == no_index || o < h)
         continue;
       if (is_diagonal_[h])
         faces.unite(h / 3, o / 3);
-      else if (arrival_[piece_.head(h)] != h && arrival_[piece_.head(o)] != o)
-        edges.emplace_back(-(distance_[piece_.vertex[h]] + cost_[h] + distance_[piece_.head(h)]), h);
+      else if (arrival_[submesh_.head(h)] != h && arrival_[submesh_.head(o)] != o)
+        edges.emplace_back(-(distance_[submesh_.vertex[h]] + cost_[h] + distance_[submesh_.head(h)]), h);
     }
     std::sort(edges.begin(), edges.end());
     std::vector<Index> generators;
     for (const auto& [length, h] : edges)
-      if (!faces.unite(h / 3, piece_.opposite[h] / 3))
+      if (!faces.unite(h / 3, submesh_.opposite[h] / 3))
         generators.push_back(h);
     std::reverse(generators.begin(), generators.end());
     return generators;
@@ -171,7 +174,7 @@ private:
   {
     while (arrival_[v] != no_index) {
       chosen_.push_back(arrival_[v]);
-      v = piece_.vertex[arrival_[v]];
+      v = submesh_.vertex[arrival_[v]];
     }
   }
 
@@ -191,9 +194,9 @@ private:
     Index end = farthest_vertex();
     append_path(end);
     // Along a single edge nothing opens: both sides would have the same two vertices.
-    for (Index k = piece_.first[end]; k < piece_.first[end + 1] && chosen_.size() < 2; ++k) {
-      const Index h = piece_.outgoing[k];
-      if (is_passable(h) && piece_.head(h) != start && piece_.head(h) != end)
+    for (Index k = submesh_.first[end]; k < submesh_.first[end + 1] && chosen_.size() < 2; ++k) {
+      const Index h = submesh_.outgoing[k];
+      if (is_passable(h) && submesh_.head(h) != start && submesh_.head(h) != end)
         chosen_.push_back(h);
     }
     return chosen_;
@@ -212,9 +215,9 @@ private:
         return {};
       const Index middle = generators.front();
       chosen_.clear();
-      append_path(piece_.vertex[middle]);
+      append_path(submesh_.vertex[middle]);
       std::vector<Index> other = std::exchange(chosen_, {});
-      append_path(piece_.head(middle));
+      append_path(submesh_.head(middle));
       while (!other.empty() && !chosen_.empty() && other.back() == chosen_.back()) {
         other.pop_back(); // the way from the base to the loop
         chosen_.pop_back();
@@ -222,7 +225,7 @@ private:
       chosen_.insert(chosen_.end(), other.begin(), other.end());
       chosen_.push_back(middle);
       loop = chosen_;
-      base = piece_.vertex[middle];
+      base = submesh_.vertex[middle];
     }
     return loop;
   }
@@ -231,18 +234,18 @@ private:
   void unglue(Cut cut)
   {
     for (const Index h : chosen_) {
-      const Index o = piece_.opposite[h];
+      const Index o = submesh_.opposite[h];
       if (o == no_index)
         continue; // paths run together
-      cut(piece_.global(h));
-      piece_.opposite[h] = piece_.opposite[o] = no_index;
+      cut(submesh_.global(h));
+      submesh_.opposite[h] = submesh_.opposite[o] = no_index;
     }
     if (!chosen_.empty())
-      piece_.number_vertices();
+      submesh_.number_vertices();
   }
 
   const Surface& surface_;
-  Submesh& piece_;
+  Submesh& submesh_;
   std::vector<double> cost_;
   std::vector<std::uint8_t> is_diagonal_;
   std::vector<double> distance_;

@@ -3,7 +3,9 @@
 #define ATLAS_SEGMENTATION_INTERNAL_ELEMENTS_ELEMENT_GRAPH_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/Union_find.h>
 #include <Atlas/core/internal/edge_rules.h>
+#include <Atlas/core/internal/halfedges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +16,7 @@
 
 namespace Atlas::internal {
 
-/// \brief The smallest pieces that charts are made of, with their adjacency and their moments.
+/// \brief The smallest parts that charts are made of, with their adjacency and their moments.
 ///
 /// An element is an input face, or faces joined by edges that must not become seams. Elements are adjacent
 /// where they share an edge that a chart may run over: not a seam the user asks for, not the limit of a
@@ -40,26 +42,10 @@ struct Element_graph
 /// Per triangle its element, numbered in the order of first triangles; returns their number.
 inline Index elements_of_triangles(const Surface& surface, std::vector<Index>& element)
 {
-  Index count = 0;
-  element.assign(surface.number_of_triangles(), no_index);
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < element.size(); ++seed) {
-    if (element[seed] != no_index)
-      continue;
-    element[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (must_not_be_seam(surface, h) && element[surface.opposite[h] / 3] == no_index) {
-          element[surface.opposite[h] / 3] = count;
-          stack.push_back(surface.opposite[h] / 3);
-        }
-    }
-    ++count;
-  }
-  return count;
+  Components elements = connected_components(
+      surface.opposite, [](Index) { return true; }, [&](Index h) { return must_not_be_seam(surface, h); });
+  element = std::move(elements.of_triangle);
+  return elements.count;
 }
 
 /// Fills the links from (element, other, length) triples in any order; parallel links become one. O(n).
@@ -143,6 +129,10 @@ inline Element_graph contract(const Element_graph& graph, const std::vector<Inde
   return result;
 }
 
+/// What a bend between two elements costs, 1 - |a + b| / (|a| + |b|) for area vectors a and b: one of 10
+/// degrees between equal halves about as much as a quarter of the shared length.
+inline constexpr double weight_of_bends = 100;
+
 /// Groups each element with at most one neighbour, the one it is most coplanar and most compact with. O(n).
 inline Index match_neighbors(const Element_graph& graph, std::vector<Index>& group)
 {
@@ -160,9 +150,7 @@ inline Index match_neighbors(const Element_graph& graph, std::vector<Index>& gro
       const double area = graph.area[e] + graph.area[other];
       const double flat =
           area > 0 ? std::sqrt((graph.area_vector[e] + graph.area_vector[other]).squared_length()) / area : 1;
-      // A bend of 10 degrees between equal halves costs as much as a third of the shared length.
-      const double bend = 1 - flat;
-      const double score = length / (std::sqrt(area) * (1 + 100 * bend));
+      const double score = length / (std::sqrt(area) * (1 + weight_of_bends * (1 - flat)));
       if (best == no_index || score > best_score) {
         best = other;
         best_score = score;
@@ -176,30 +164,16 @@ inline Index match_neighbors(const Element_graph& graph, std::vector<Index>& gro
   return count;
 }
 
-/// Numbers connected pieces of equal label in the order of their first elements. O(n).
+/// Numbers connected sets of elements of equal label in the order of their first elements. O(n).
 inline Index label_components(const Element_graph& graph, const std::vector<Index>& label,
                               std::vector<Index>& component)
 {
-  Index count = 0;
-  component.assign(graph.size(), no_index);
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < graph.size(); ++seed) {
-    if (component[seed] != no_index)
-      continue;
-    component[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index e = stack.back();
-      stack.pop_back();
-      for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k)
-        if (const Index o = graph.links[k].element; component[o] == no_index && label[o] == label[e]) {
-          component[o] = count;
-          stack.push_back(o);
-        }
-    }
-    ++count;
-  }
-  return count;
+  Union_find sets(graph.size());
+  for (Index e = 0; e < graph.size(); ++e)
+    for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k)
+      if (const Index o = graph.links[k].element; label[o] == label[e])
+        sets.unite(e, o);
+  return sets.number_sets(component);
 }
 
 /// The segmentation in which triangle t is in the chart of its element; seams the user asks for are cuts.

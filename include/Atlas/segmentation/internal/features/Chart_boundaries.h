@@ -3,12 +3,10 @@
 #define ATLAS_SEGMENTATION_INTERNAL_FEATURES_CHART_BOUNDARIES_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/Union_find.h>
 #include <Atlas/segmentation/internal/surface/Submesh.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -21,39 +19,32 @@ namespace Atlas::internal {
 class Chart_boundaries
 {
 public:
-  Chart_boundaries(const Surface& surface, const Submesh& piece)
-      : surface_(&surface), piece_(&piece), chart_(piece.triangles.size(), no_index),
-        is_boundary_(piece.opposite.size(), 1), degree_(piece.number_of_vertices(), 0)
+  Chart_boundaries(const Surface& surface, const Submesh& submesh)
+      : surface_(&surface), submesh_(&submesh), chart_(submesh.triangles.size(), no_index),
+        is_boundary_(submesh.opposite.size(), 1), degree_(submesh.number_of_vertices(), 0)
   {
     for (Index h = 0; h < is_boundary_.size(); ++h)
-      if (const Index o = piece.opposite[h]; o == no_index || h < o) {
-        ++degree_[piece.vertex[h]];
-        ++degree_[piece.head(h)];
+      if (const Index o = submesh.opposite[h]; o == no_index || h < o) {
+        ++degree_[submesh.vertex[h]];
+        ++degree_[submesh.head(h)];
       }
   }
 
-  Index new_chart()
-  {
-    parent_.push_back(static_cast<Index>(parent_.size()));
-    return parent_.back();
-  }
+  Index new_chart() { return charts_.add(); }
 
   /// Charts are named by numbers below that; some names are those of charts merged into others.
-  Index number_of_names() const { return static_cast<Index>(parent_.size()); }
+  Index number_of_names() const { return static_cast<Index>(charts_.size()); }
 
   /// The chart of a triangle, or no_index.
-  Index chart(Index t) { return chart_[t] == no_index ? no_index : find(chart_[t]); }
+  Index chart(Index t) { return chart_[t] == no_index ? no_index : charts_.find(chart_[t]); }
 
   void put(Index t, Index c) { chart_[t] = c; }
 
   /// Makes two charts one and returns its number.
   Index unite(Index c, Index d)
   {
-    c = find(c);
-    d = find(d);
-    if (d < c)
-      std::swap(c, d);
-    return parent_[d] = c;
+    charts_.unite(c, d);
+    return charts_.find(c);
   }
 
   bool is_boundary(Index h) const { return is_boundary_[h]; }
@@ -62,8 +53,8 @@ public:
   void open(Index h)
   {
     remove(h);
-    shorten(piece_->vertex[h]);
-    shorten(piece_->head(h));
+    shorten(submesh_->vertex[h]);
+    shorten(submesh_->head(h));
   }
 
   /// Charts numbered by their first triangles; boundaries inside a chart are cuts.
@@ -72,7 +63,7 @@ public:
     Segmentation result;
     result.chart.resize(chart_.size());
     result.cut.assign(is_boundary_.size(), 0);
-    std::vector<Index> number(parent_.size(), no_index);
+    std::vector<Index> number(charts_.size(), no_index);
     for (Index t = 0; t < chart_.size(); ++t) {
       Index& n = number[chart(t)];
       if (n == no_index)
@@ -88,42 +79,35 @@ public:
   }
 
 private:
-  Index find(Index c)
-  {
-    while (parent_[c] != c)
-      c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-
   void remove(Index h)
   {
-    is_boundary_[h] = is_boundary_[piece_->opposite[h]] = 0;
-    --degree_[piece_->vertex[h]];
-    --degree_[piece_->head(h)];
+    is_boundary_[h] = is_boundary_[submesh_->opposite[h]] = 0;
+    --degree_[submesh_->vertex[h]];
+    --degree_[submesh_->head(h)];
   }
 
   /// Follows a loose end that starts at v.
   void shorten(Index v)
   {
-    while (degree_[v] == 1 && !piece_->is_on_border[v]) {
+    while (degree_[v] == 1 && !submesh_->is_on_border[v]) {
       const Index h = boundary_at(v);
       remove(h);
-      v = piece_->head(h);
+      v = submesh_->head(h);
     }
   }
 
   Index boundary_at(Index v) const
   {
-    Index k = piece_->first[v];
-    while (!is_boundary_[piece_->outgoing[k]])
+    Index k = submesh_->first[v];
+    while (!is_boundary_[submesh_->outgoing[k]])
       ++k;
-    return piece_->outgoing[k];
+    return submesh_->outgoing[k];
   }
 
   const Surface* surface_;
-  const Submesh* piece_;
+  const Submesh* submesh_;
   std::vector<Index> chart_; ///< per triangle, a chart that may have been merged into another
-  std::vector<Index> parent_;
+  Union_find charts_;
   std::vector<std::uint8_t> is_boundary_;
   std::vector<Index> degree_; ///< per vertex: boundaries that end there
 };

@@ -20,21 +20,21 @@ namespace Atlas::internal {
 
 /// \brief Distances on the surface from a set of vertices, by fast marching.
 ///
-/// R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 1998: across each triangle the front is
+/// R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 1998: across each triangle the wave front is
 /// taken for plane. Where that does not fit (obtuse and degenerate triangles) it follows the edges, which
 /// gives a value that is too large, never one too small. O(n log n).
 class Fast_marching
 {
 public:
-  Fast_marching(const Surface& surface, const Submesh& piece) : surface_(surface), piece_(piece) {}
+  Fast_marching(const Surface& surface, const Submesh& submesh) : surface_(surface), submesh_(submesh) {}
 
   const std::vector<double>& distance() const { return distance_; }
   bool is_reached(Index v) const { return distance_[v] < std::numeric_limits<double>::infinity(); }
 
   void run(const std::vector<Index>& sources)
   {
-    distance_.assign(piece_.number_of_vertices(), std::numeric_limits<double>::infinity());
-    is_done_.assign(piece_.number_of_vertices(), 0);
+    distance_.assign(submesh_.number_of_vertices(), std::numeric_limits<double>::infinity());
+    is_done_.assign(submesh_.number_of_vertices(), 0);
     for (const Index v : sources)
       improve(v, 0);
     while (!queue_.empty()) {
@@ -43,8 +43,8 @@ public:
       if (is_done_[v])
         continue;
       is_done_[v] = 1;
-      for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k)
-        cross_triangle(piece_.outgoing[k]);
+      for (Index k = submesh_.first[v]; k < submesh_.first[v + 1]; ++k)
+        cross_triangle(submesh_.outgoing[k]);
     }
   }
 
@@ -59,13 +59,13 @@ private:
     }
   }
 
-  const Point_3& place(Index h) const { return surface_.point(piece_.global(h)); }
+  const Point_3& place(Index h) const { return surface_.point(submesh_.global(h)); }
 
   /// From the vertex at the tail of h, just done, to the two others of its triangle.
   void cross_triangle(Index h)
   {
     const Index n = next_halfedge(h), p = previous_halfedge(h);
-    const Index v = piece_.vertex[h], a = piece_.vertex[n], b = piece_.vertex[p];
+    const Index v = submesh_.vertex[h], a = submesh_.vertex[n], b = submesh_.vertex[p];
     if (!is_done_[a])
       improve(a, std::min(distance_[v] + distance_between(place(h), place(n)), plane_wave(h, p, n)));
     if (!is_done_[b])
@@ -77,21 +77,21 @@ private:
   double plane_wave(Index i, Index j, Index k) const
   {
     constexpr double never = std::numeric_limits<double>::infinity();
-    if (!is_done_[piece_.vertex[j]])
+    if (!is_done_[submesh_.vertex[j]])
       return never;
     const double length = distance_between(place(i), place(j));
-    const double rise = distance_[piece_.vertex[j]] - distance_[piece_.vertex[i]];
+    const double rise = distance_[submesh_.vertex[j]] - distance_[submesh_.vertex[i]];
     if (!(std::abs(rise) < length))
       return never;
     const Vector_3 along = (place(j) - place(i)) / length, to = place(k) - place(i);
     const double x = along * to, y = std::sqrt(std::max(0., to.squared_length() - x * x));
     const double slope = rise / length, across = std::sqrt(1 - slope * slope);
     const double foot = x - y * slope / across; // where the ray through corner k crosses the line i-j
-    return foot >= 0 && foot <= length ? distance_[piece_.vertex[i]] + slope * x + across * y : never;
+    return foot >= 0 && foot <= length ? distance_[submesh_.vertex[i]] + slope * x + across * y : never;
   }
 
   const Surface& surface_;
-  const Submesh& piece_;
+  const Submesh& submesh_;
   std::vector<double> distance_;
   std::vector<std::uint8_t> is_done_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;

@@ -18,12 +18,12 @@ namespace Atlas::internal {
 class Feature_tracer
 {
 public:
-  Feature_tracer(const Surface& surface, const Submesh& piece, const std::vector<float>& sharpness,
+  Feature_tracer(const Surface& surface, const Submesh& submesh, const std::vector<float>& sharpness,
                  float threshold, int max_string_length, int min_feature_length, int neighborhood_rings)
-      : surface_(surface), piece_(piece), sharpness_(sharpness), threshold_(threshold),
+      : surface_(surface), submesh_(submesh), sharpness_(sharpness), threshold_(threshold),
         max_string_length_(max_string_length), min_feature_length_(min_feature_length),
-        neighborhood_rings_(neighborhood_rings), is_feature_(piece.opposite.size(), 0),
-        is_blocked_(piece.opposite.size(), 0), is_on_curve_(piece.opposite.size(), 0)
+        neighborhood_rings_(neighborhood_rings), is_feature_(submesh.opposite.size(), 0),
+        is_blocked_(submesh.opposite.size(), 0), is_on_curve_(submesh.opposite.size(), 0)
   {
     list_sharpest_edges();
     bound_strings();
@@ -34,7 +34,8 @@ public:
   {
     std::vector<std::pair<float, Index>> starts;
     for (Index h = 0; h < sharpness_.size(); ++h)
-      if (piece_.opposite[h] != no_index && h < piece_.opposite[h] && sharpness_[h] >= threshold_ * rounding)
+      if (submesh_.opposite[h] != no_index && h < submesh_.opposite[h] &&
+          sharpness_[h] >= threshold_ * rounding)
         starts.emplace_back(-sharpness_[h], h);
     std::sort(starts.begin(), starts.end());
     for (const auto& [s, h] : starts)
@@ -55,13 +56,13 @@ private:
 
   void list_sharpest_edges()
   {
-    first_branch_.assign(piece_.number_of_vertices() + 1, 0);
+    first_branch_.assign(submesh_.number_of_vertices() + 1, 0);
     branches_.clear();
     std::vector<Index> edges;
-    for (Index v = 0; v < piece_.number_of_vertices(); ++v) {
+    for (Index v = 0; v < submesh_.number_of_vertices(); ++v) {
       edges.clear();
-      for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k)
-        if (const Index h = piece_.outgoing[k]; piece_.opposite[h] != no_index && sharpness_[h] > 0)
+      for (Index k = submesh_.first[v]; k < submesh_.first[v + 1]; ++k)
+        if (const Index h = submesh_.outgoing[k]; submesh_.opposite[h] != no_index && sharpness_[h] > 0)
           edges.push_back(h);
       const std::size_t count = std::min<std::size_t>(edges.size(), max_branches);
       std::partial_sort(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(count), edges.end(),
@@ -78,29 +79,30 @@ private:
   void bound_strings()
   {
     bound_.assign(static_cast<std::size_t>(std::max(max_string_length_, 1)),
-                  std::vector<float>(piece_.number_of_vertices(), 0));
+                  std::vector<float>(submesh_.number_of_vertices(), 0));
     for (std::size_t length = 1; length < bound_.size(); ++length)
-      for (Index v = 0; v < piece_.number_of_vertices(); ++v)
+      for (Index v = 0; v < submesh_.number_of_vertices(); ++v)
         for (Index k = first_branch_[v]; k < first_branch_[v + 1]; ++k) {
           const Index h = branches_[k];
-          bound_[length][v] = std::max(bound_[length][v], sharpness_[h] + bound_[length - 1][piece_.head(h)]);
+          bound_[length][v] =
+              std::max(bound_[length][v], sharpness_[h] + bound_[length - 1][submesh_.head(h)]);
         }
   }
 
   Vector_3 direction(Index h) const { return surface_.point(next_halfedge(h)) - surface_.point(h); }
 
-  void block(Index h) { is_blocked_[h] = is_blocked_[piece_.opposite[h]] = 1; }
+  void block(Index h) { is_blocked_[h] = is_blocked_[submesh_.opposite[h]] = 1; }
 
   void mark_on_curve(Index h, std::uint8_t value)
   {
-    is_on_curve_[h] = is_on_curve_[piece_.opposite[h]] = value;
+    is_on_curve_[h] = is_on_curve_[submesh_.opposite[h]] = value;
   }
 
   void expand_feature_curve(Index start)
   {
     std::vector<Index> curve{start};
     mark_on_curve(start, 1);
-    for (const Index side : {start, piece_.opposite[start]}) {
+    for (const Index side : {start, submesh_.opposite[start]}) {
       float sharpness = 0;
       Index h = side;
       do {
@@ -116,7 +118,7 @@ private:
     if (static_cast<int>(curve.size()) <= min_feature_length_)
       return;
     for (const Index h : curve) {
-      is_feature_[h] = is_feature_[piece_.opposite[h]] = 1;
+      is_feature_[h] = is_feature_[submesh_.opposite[h]] = 1;
       block(h);
     }
     block_neighborhood(curve);
@@ -126,7 +128,7 @@ private:
   std::pair<float, Index> sharpest_string(Index h) const
   {
     std::pair<float, Index> best{-1, no_index};
-    search(piece_.head(h), max_string_length_ - 1, sharpness_[h], direction(h), no_index, best);
+    search(submesh_.head(h), max_string_length_ - 1, sharpness_[h], direction(h), no_index, best);
     return best;
   }
 
@@ -141,11 +143,11 @@ private:
       return;
     for (Index k = first_branch_[v]; k < first_branch_[v + 1]; ++k) {
       const Index h = branches_[k];
-      if (sum + sharpness_[h] + bound_[left - 1][piece_.head(h)] <= best.first)
+      if (sum + sharpness_[h] + bound_[left - 1][submesh_.head(h)] <= best.first)
         continue;
       if (is_blocked_[h] || !(direction(h) * forward > 0))
         continue;
-      search(piece_.head(h), left - 1, sum + sharpness_[h], forward, second == no_index ? h : second, best);
+      search(submesh_.head(h), left - 1, sum + sharpness_[h], forward, second == no_index ? h : second, best);
     }
   }
 
@@ -153,25 +155,25 @@ private:
   {
     std::vector<Index> front;
     for (const Index h : curve) {
-      front.push_back(piece_.vertex[h]);
-      front.push_back(piece_.head(h));
+      front.push_back(submesh_.vertex[h]);
+      front.push_back(submesh_.head(h));
     }
     for (int ring = 0; ring < neighborhood_rings_; ++ring) {
       std::vector<Index> beyond;
       for (const Index v : front)
-        for (Index k = piece_.first[v]; k < piece_.first[v + 1]; ++k) {
-          const Index h = piece_.outgoing[k];
-          if (piece_.opposite[h] == no_index || is_blocked_[h])
+        for (Index k = submesh_.first[v]; k < submesh_.first[v + 1]; ++k) {
+          const Index h = submesh_.outgoing[k];
+          if (submesh_.opposite[h] == no_index || is_blocked_[h])
             continue;
           block(h);
-          beyond.push_back(piece_.head(h));
+          beyond.push_back(submesh_.head(h));
         }
       front.swap(beyond);
     }
   }
 
   const Surface& surface_;
-  const Submesh& piece_;
+  const Submesh& submesh_;
   const std::vector<float>& sharpness_;
   float threshold_;
   int max_string_length_, min_feature_length_, neighborhood_rings_;

@@ -18,7 +18,7 @@ inline constexpr double normal_filter_width = 0.5;
 /// Bilateral filter of the triangles' normals: each becomes the mean of those around it, weighted by area and
 /// by how near the normals are, so that noise goes and sharp edges stay (Y. Zheng, H. Fu, O. Au, C. Tai,
 /// Bilateral normal filtering for mesh denoising, TVCG 2011). Linear in triangles times rounds.
-inline void filter_normals(const Surface& surface, const Submesh& piece, int rounds,
+inline void filter_normals(const Surface& surface, const Submesh& submesh, int rounds,
                            std::vector<Vector_3>& normals)
 {
   if (rounds <= 0)
@@ -31,7 +31,7 @@ inline void filter_normals(const Surface& surface, const Submesh& piece, int rou
     for (Index t = 0; t < normals.size(); ++t) {
       Vector_3 sum = area[t] * normals[t];
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (const Index o = piece.opposite[h]; o != no_index) {
+        if (const Index o = submesh.opposite[h]; o != no_index) {
           const double d = (normals[o / 3] - normals[t]).squared_length();
           sum = sum +
                 area[o / 3] * std::exp(-d / (2 * normal_filter_width * normal_filter_width)) * normals[o / 3];

@@ -36,19 +36,9 @@ inline Index manifold_vertices(const Surface& surface, std::vector<Index>& verte
   for (Index start = 0; start < vertex.size(); ++start) {
     if (vertex[start] != no_index)
       continue;
-    bool closed = false;
-    for (Index h = start; !closed;) {
-      vertex[h] = count;
-      const Index o = surface.opposite[previous_halfedge(h)];
-      if (o == no_index)
-        break;
-      h = o;
-      closed = h == start;
-    }
-    for (Index h = start; !closed && surface.opposite[h] != no_index;) {
-      h = next_halfedge(surface.opposite[h]);
-      vertex[h] = count;
-    }
+    for_each_in_fan(
+        surface.opposite, start, [&](Index h) { return surface.opposite[h] != no_index; },
+        [&](Index h) { vertex[h] = count; });
     ++count;
   }
   return count;
@@ -64,19 +54,21 @@ inline Chart_arcs chart_arcs(const Surface& surface, const Segmentation& segment
   arcs.is_fixed.assign(vertices, 0);
   const auto is_seam = [&](Index h) { return !segmentation.is_glued(surface, h); };
 
-  std::vector<std::uint8_t> degree(vertices, 0), barriers(vertices, 0);
+  constexpr std::uint8_t many = 3; // edges at a vertex: no more need to be told apart
+  const auto count_one_more = [](std::uint8_t& d) { d = static_cast<std::uint8_t>(d < many ? d + 1 : many); };
+  std::vector<std::uint8_t> degree(vertices, 0), fixed_degree(vertices, 0);
   for (Index h = 0; h < n; ++h) {
     const Index o = surface.opposite[h];
     if (!is_seam(h) || (o != no_index && o < h))
       continue;
     for (const Index v : {arcs.vertex[h], arcs.vertex[next_halfedge(h)]}) {
-      degree[v] = static_cast<std::uint8_t>(degree[v] < 3 ? degree[v] + 1 : 3);
+      count_one_more(degree[v]);
       if (must_be_seam(surface, h))
-        barriers[v] = static_cast<std::uint8_t>(barriers[v] < 3 ? barriers[v] + 1 : 3);
+        count_one_more(fixed_degree[v]);
     }
   }
   for (Index v = 0; v < vertices; ++v)
-    arcs.is_fixed[v] = degree[v] != 0 && (degree[v] != 2 || barriers[v] == 1);
+    arcs.is_fixed[v] = degree[v] != 0 && (degree[v] != 2 || fixed_degree[v] == 1);
 
   const auto follow = [&](Index start) { // `start` leaves a fixed vertex
     const Index a = arcs.number_of_arcs();

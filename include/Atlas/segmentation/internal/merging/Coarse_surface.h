@@ -3,6 +3,7 @@
 #define ATLAS_SEGMENTATION_INTERNAL_MERGING_COARSE_SURFACE_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/segmentation/internal/merging/Chart_arcs.h>
 
 #include <algorithm>
@@ -26,6 +27,8 @@ struct Coarse_surface
   std::vector<Index> chart;           ///< per triangle
   std::vector<Index> source;          ///< per triangle: the one of the surface that it was
   std::vector<std::uint8_t> is_fixed; ///< per vertex: whether arcs end there
+
+  const Point_3& point(Index h) const { return points[triangles[h / 3][h % 3]]; }
 };
 
 /// \brief Makes the coarse surface by collapsing edges onto one of their ends.
@@ -67,7 +70,7 @@ public:
       if (kind_[v] != Kind::fixed)
         remaining.push_back(v);
     double tried = 0;
-    for (double share = 1.0 / 32; share < 1.01; share *= std::sqrt(2.0)) {
+    for (double share = first_share; share < 1.01; share *= std::sqrt(2.0)) {
       for (const Index v : remaining)
         try_collapse(v, share * length_[v], tried * length_[v]);
       tried = share;
@@ -82,6 +85,13 @@ private:
   enum class Kind : std::uint8_t { inside, arc, fixed };
   /// Vertices of a higher degree neither go nor take part in a collapse: a check costs no more than this.
   static constexpr std::size_t maximal_degree = 32;
+  /// The length up to which edges collapse rises from this share of its final value on: long edges go last,
+  /// or triangles would get long and thin.
+  static constexpr double first_share = 1.0 / 32;
+  /// The squared cosine of the largest angle by which a triangle may turn, about 57 degrees.
+  static constexpr double least_squared_cosine = 0.3;
+  /// The square of twice the least area of a triangle of longest edge 1.
+  static constexpr double least_squared_area = 0.02;
 
   void take_vertices(const Surface& surface, const Chart_arcs& arcs)
   {
@@ -123,33 +133,13 @@ private:
           length_[vertex_[h]], std::sqrt(area[chart_[h / 3]] / triangles_per_chart * 4 / std::sqrt(3.0)));
   }
 
-  /// The halfedges that leave v, counterclockwise; at the border the first one is a border halfedge. False if
-  /// there are too many.
-  bool find_star(Index v, std::vector<Index>& star) const
+  /// The halfedges that leave v, counterclockwise; at the border the first one is a border halfedge.
+  void find_star(Index v, std::vector<Index>& star) const
   {
+    const auto is_inside = [&](Index h) { return opposite_[h] != no_index; };
     star.clear();
-    Index first = halfedge_[v];
-    for (Index h = first; opposite_[h] != no_index;) { // clockwise to the border or all around
-      h = next_halfedge(opposite_[h]);
-      if (h == halfedge_[v])
-        break;
-      first = h;
-      if (star.size() > maximal_degree)
-        return false;
-      star.push_back(h);
-    }
-    if (opposite_[first] != no_index)
-      first = halfedge_[v];
-    star.clear();
-    for (Index h = first;;) {
-      star.push_back(h);
-      if (star.size() > maximal_degree)
-        return false;
-      h = opposite_[previous_halfedge(h)];
-      if (h == no_index || h == first)
-        break;
-    }
-    return true;
+    for_each_in_fan(opposite_, first_in_fan(opposite_, halfedge_[v], is_inside), is_inside,
+                    [&](Index h) { star.push_back(h); });
   }
 
   double length(Index h) const
@@ -162,8 +152,9 @@ private:
   ///               again
   void try_collapse(Index v, double limit, double tried)
   {
-    if (halfedge_[v] == no_index || degree_[v] > maximal_degree || !find_star(v, star_))
+    if (halfedge_[v] == no_index || degree_[v] > maximal_degree)
       return;
+    find_star(v, star_);
     candidates_.clear();
     for (const Index h : star_) {
       if (kind_[v] == Kind::inside || side_[h] != no_index)
@@ -190,8 +181,9 @@ private:
   bool is_allowed(Index v, Index h)
   {
     const Index w = other_end(v, h);
-    if (w == v || degree_[w] > maximal_degree || !find_star(w, other_star_))
+    if (w == v || degree_[w] > maximal_degree)
       return false;
+    find_star(w, other_star_);
     // The link condition: v and w have but the opposite corners as common neighbours.
     near_w_.clear();
     for (const Index g : other_star_)
@@ -229,12 +221,12 @@ private:
       const Vector_3 after = CGAL::cross_product(points_[a] - points_[w], edge);
       const double product = before * after;
       const double squares = before.squared_length() * after.squared_length();
-      if (squares > 0 && (!(product > 0) || product * product < 0.3 * squares))
+      if (squares > 0 && (!(product > 0) || product * product < least_squared_cosine * squares))
         return false;
       // No slivers, unless it was one: height over longest edge.
       const double longest = std::max({edge.squared_length(), CGAL::squared_distance(points_[a], points_[w]),
                                        CGAL::squared_distance(points_[b], points_[w])});
-      if (after.squared_length() < 0.02 * longest * longest &&
+      if (after.squared_length() < least_squared_area * longest * longest &&
           after.squared_length() < before.squared_length())
         return false;
     }

@@ -3,6 +3,7 @@
 #define ATLAS_SEGMENTATION_INTERNAL_MERGING_MERGE_ACROSS_FORBIDDEN_SEAMS_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/segmentation/internal/elements/Element_graph.h>
 #include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 

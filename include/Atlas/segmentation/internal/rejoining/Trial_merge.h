@@ -4,6 +4,7 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/cuts.h>
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/core/internal/halfedges.h>
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -47,39 +49,40 @@ public:
   }
 
   /// Gives the triangles of `disc` to the chart `other`, one of its `neighbours()`.
-  void glue(const Chart& disc, Index other)
+  void merge(const Chart& disc, Index other)
   {
     const std::vector<Run> all = runs(disc);
     const Run* best = nullptr;
     for (const Run& run : all)
       if (run.other == other && (!best || run.length > best->length))
         best = &run;
-    CGAL_precondition(best);
+    if (!best)
+      throw std::logic_error("Trial_merge: no border that may be glued");
     Before& before = before_[disc.source.front()];
     before = {segmentation_.chart[disc.source.front()], {}};
-    const auto set_cut = [&](Index h, std::uint8_t value) {
+    const auto change_cut = [&](Index h, bool is_cut) {
       before.cuts.emplace_back(h, segmentation_.cut[h]);
-      segmentation_.cut[h] = segmentation_.cut[surface_.opposite[h]] = value;
+      set_cut(surface_, segmentation_, h, is_cut);
     };
     for (const Index t : disc.source) {
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
         if (const Index o = surface_.opposite[h]; o != no_index && segmentation_.chart[o / 3] == other)
-          set_cut(h, 1);
+          change_cut(h, true);
     }
     for (const Index h : best->halfedges)
-      set_cut(h, 0);
+      change_cut(h, false);
     for (const Index t : disc.source)
       segmentation_.chart[t] = other;
   }
 
-  /// Takes back the last `glue()` of the disc.
+  /// Takes back the last `merge()` of the disc.
   void undo(const Chart& disc)
   {
     const Before& before = before_.at(disc.source.front());
     for (const Index t : disc.source)
       segmentation_.chart[t] = before.chart;
     for (auto it = before.cuts.rbegin(); it != before.cuts.rend(); ++it)
-      segmentation_.cut[it->first] = segmentation_.cut[surface_.opposite[it->first]] = it->second;
+      set_cut(surface_, segmentation_, it->first, it->second);
   }
 
 private:
@@ -143,7 +146,7 @@ private:
 
   const Surface& surface_;
   Segmentation& segmentation_;
-  std::map<Index, Before> before_; ///< per first triangle of what was glued
+  std::map<Index, Before> before_; ///< per first triangle of what was merged
 };
 
 } // namespace Atlas::internal

@@ -4,10 +4,10 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/segmentation/internal/smoothing/minimum_cut.h>
 #include <Atlas/segmentation/internal/surface/Seam_costs.h>
 #include <Atlas/segmentation/internal/surface/Submesh.h>
-#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <algorithm>
 #include <array>
@@ -20,25 +20,25 @@
 
 namespace Atlas::internal {
 
-/// The piece as a chart of its own.
-inline Chart chart_of_piece(const Surface& surface, const Submesh& piece)
+/// The submesh as a chart of its own.
+inline Chart chart_of_submesh(const Surface& surface, const Submesh& submesh)
 {
   Chart chart;
-  chart.source = piece.triangles;
-  chart.points.resize(piece.number_of_vertices());
-  chart.triangles.resize(piece.triangles.size());
-  for (Index h = 0; h < piece.vertex.size(); ++h) {
-    chart.triangles[h / 3][h % 3] = piece.vertex[h];
-    chart.points[piece.vertex[h]] = surface.point(piece.global(h));
+  chart.source = submesh.triangles;
+  chart.points.resize(submesh.number_of_vertices());
+  chart.triangles.resize(submesh.triangles.size());
+  for (Index h = 0; h < submesh.vertex.size(); ++h) {
+    chart.triangles[h / 3][h % 3] = submesh.vertex[h];
+    chart.points[submesh.vertex[h]] = surface.point(submesh.global(h));
   }
   return chart;
 }
 
-/// \brief Where borders may run and what stays where it is, for a whole surface.
+/// \brief What must stay as it is while borders move, for a whole surface.
 struct Smoothing_limits
 {
-  std::vector<std::uint8_t> is_open;  ///< per halfedge: triangles may be glued there
-  std::vector<std::uint8_t> is_stuck; ///< per triangle: it never changes sides
+  std::vector<std::uint8_t> is_open;  ///< per halfedge: it may be inside a chart
+  std::vector<std::uint8_t> is_stuck; ///< per triangle: it stays in its chart
 };
 
 /// Scratch of the smoother, per triangle of the surface. Pairs of charts that have none in common can use one
@@ -53,10 +53,13 @@ struct Smoothing_scratch
 
 /// \brief Moves the border between two charts to the cheapest place in a band around it.
 ///
-/// The triangles of the band become nodes, the edges between them links as strong as a seam there is
-/// expensive, and the triangles beside the band stay what they are: a minimum cut is the best border. Whether
-/// the charts stay discs is told by what changes around the triangles that changed sides; only that they hang
-/// together needs a look at all of them.
+/// A band of triangles on both sides of the border may change sides. Each of them is a node of a graph, and
+/// each edge between two of them a link, as strong as a seam there is expensive; two more nodes stand for the
+/// two charts beside the band. The minimum cut between these two is the cheapest border.
+///
+/// The border is only taken if both charts stay discs. Their Euler characteristics are told by what changes
+/// around the triangles that changed sides; only that each chart hangs together needs a look at all of its
+/// triangles. O(n log n) for a band of n triangles, and linear in both charts.
 class Border_smoother
 {
 public:
@@ -86,9 +89,9 @@ public:
   {
     std::vector<Index> triangles = reached_[side];
     std::sort(triangles.begin(), triangles.end());
-    const Submesh piece = make_piece(
+    const Submesh submesh = make_submesh(
         surface_, std::move(triangles), [&](Index h) { return is_glued(h); }, scratch_.local);
-    return chart_of_piece(surface_, piece);
+    return chart_of_submesh(surface_, submesh);
   }
 
 private:
@@ -151,24 +154,27 @@ private:
   /// all others together.
   static std::int64_t capacity(const Seam_costs::Cost& cost, double largest)
   {
-    constexpr double steps = 1e6;
-    constexpr std::int64_t never = std::int64_t(1) << 42;
+    constexpr double steps = 1e6;                         // of the largest cost
+    constexpr std::int64_t never = std::int64_t(1) << 42; // sums of two million of them fit into 63 bits
     if (cost.is_impossible)
       return never;
     const double share = largest > 0 ? cost.cost / largest : 0;
     return 1 + static_cast<std::int64_t>(std::min(steps * share * cost.penalty, double(never / 2)));
   }
 
-  bool find_cheapest_border()
+  /// A link of the graph: between two nodes of the band, or one and the node of a chart beside it.
+  struct Link
   {
-    struct Link
-    {
-      Index node, other;
-      Seam_costs::Cost cost;
-      bool is_border;
-    };
+    Index node, other;
+    Seam_costs::Cost cost;
+    bool is_border; ///< of the present border
+  };
+
+  /// All links, and the largest cost of those that may become seams.
+  std::vector<Link> links_of_band(double& largest) const
+  {
     std::vector<Link> links;
-    double largest = 0;
+    largest = 0;
     for (Index n = 0; n < band_.size(); ++n)
       for (Index h = 3 * band_[n]; h < 3 * band_[n] + 3; ++h) {
         if (!is_link(h))
@@ -182,6 +188,14 @@ private:
         links.push_back({n, m != no_index ? m : static_cast<Index>(band_.size()) + old_side(o / 3), cost,
                          side_[n] != old_side(o / 3)});
       }
+    return links;
+  }
+
+  bool find_cheapest_border()
+  {
+    constexpr std::int64_t least_gain = 1000; // the thousandth of the cost: less is not worth a change
+    double largest;
+    const std::vector<Link> links = links_of_band(largest);
     Minimum_cut cut(band_.size());
     std::int64_t before = 0;
     for (const Link& link : links) {
@@ -189,8 +203,7 @@ private:
       cut.connect(link.node, link.other, c);
       before += link.is_border ? c : 0;
     }
-    // A gain of less than a thousandth is not worth a change.
-    if (cut.run() >= before - before / 1000)
+    if (cut.run() >= before - before / least_gain)
       return false;
     for (Index n = 0; n < band_.size(); ++n)
       if (const std::uint8_t now = !cut.is_on_first_side(n); now != side_[n]) {
@@ -206,20 +219,10 @@ private:
   /// around.
   bool corners_around(Index h, std::vector<Index>& corners) const
   {
-    bool is_closed = false;
-    Index first = h;
-    while (is_link(first) && !is_closed) {
-      first = next_halfedge(surface_.opposite[first]);
-      is_closed = first == h;
-    }
+    const auto is_inside = [&](Index g) { return is_link(g); };
     corners.clear();
-    for (Index g = first;;) {
-      corners.push_back(g);
-      const Index before = previous_halfedge(g);
-      if (!is_link(before) || (is_closed && surface_.opposite[before] == first))
-        return is_closed;
-      g = surface_.opposite[before];
-    }
+    return for_each_in_fan(surface_.opposite, first_in_fan(surface_.opposite, h, is_inside), is_inside,
+                           [&](Index g) { corners.push_back(g); });
   }
 
   /// Vertices - edges + triangles of both charts change by nothing, and no two edges get the same ends.
@@ -327,14 +330,11 @@ private:
   /// A name of the vertex of a chart that the corner belongs to.
   Index fan(Index h) const
   {
-    Index least = h, g = h;
-    while (is_glued(g)) {
-      g = next_halfedge(surface_.opposite[g]);
-      if (g == h)
-        return least;
-      least = std::min(least, g);
-    }
-    return g;
+    Index least = h;
+    for_each_in_fan(
+        surface_.opposite, h, [&](Index g) { return is_glued(g); },
+        [&](Index g) { least = std::min(least, g); });
+    return least;
   }
 
   /// Whether one of the charts hangs together; remembers its triangles.
@@ -347,18 +347,17 @@ private:
     reached.clear();
     reached.reserve(size);
     const Index stamp = stamp_ + 1; // of both charts: they have no triangle in common
-    const auto reach = [&](Index t) {
-      if (scratch_.stamp[t] != stamp) {
+    const auto enter = [&](Index t) {
+      const bool is_new = scratch_.stamp[t] != stamp;
+      if (is_new) {
         scratch_.stamp[t] = stamp;
         reached.push_back(t);
       }
+      return is_new;
     };
     if (const Index start = start_of(wanted); start != no_index)
-      reach(start);
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
-        if (is_glued(h))
-          reach(surface_.opposite[h] / 3);
+      flood_fill(
+          surface_.opposite, start, [&](Index h) { return is_glued(h); }, enter);
     return size > 0 && reached.size() == size;
   }
 

@@ -5,8 +5,7 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/segmentation/internal/merging/Chart_arcs.h>
 #include <Atlas/segmentation/internal/merging/Coarse_surface.h>
-#include <Atlas/segmentation/internal/smoothing/Border_smoother.h>
-#include <Atlas/segmentation/smooth_borders.h>
+#include <Atlas/segmentation/internal/smoothing/Segmentation_smoother.h>
 
 #include <cstddef>
 #include <cstdint>

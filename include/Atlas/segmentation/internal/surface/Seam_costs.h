@@ -11,8 +11,14 @@
 
 namespace Atlas::internal {
 
-/// How much dearer a seam is along an edge that should not be one.
+/// How much dearer a seam is along an edge that should not be one: more than any detour is long.
 inline constexpr double penalty_of_unwanted_seams = 1e4;
+
+/// Whether the user wants no seam at an edge.
+inline bool is_unwanted_seam(const Surface& surface, Index h)
+{
+  return !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::no_seam;
+}
 
 /// What the user says a seam costs at an edge, per length.
 inline double wanted_cost(const Surface& surface, Index h)
@@ -44,10 +50,8 @@ public:
     double sharp = 0;
     if (sharp_discount_ > 0)
       sharp = std::min(1., angle_between(normals_[h / 3], normals_[surface_.opposite[h] / 3]) / sharp_angle_);
-    const bool is_unwanted =
-        !surface_.constraint.empty() && surface_.constraint[h] == Edge_constraint::no_seam;
     return {edge_length(surface_, h) * wanted_cost(surface_, h) * (1 - sharp_discount_ * sharp),
-            is_unwanted ? penalty_of_unwanted_seams : 1, surface_.is_diagonal(h)};
+            is_unwanted_seam(surface_, h) ? penalty_of_unwanted_seams : 1, surface_.is_diagonal(h)};
   }
 
 private:

@@ -5,7 +5,6 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/halfedges.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -66,87 +65,58 @@ private:
   void number_fan(Index start)
   {
     const Index v = static_cast<Index>(number_of_vertices());
-    Index h = start;
-    bool closed = false;
-    do {
-      vertex[h] = v;
-      const Index before = previous_halfedge(h);
-      if (opposite[before] == no_index)
-        break;
-      h = opposite[before];
-      closed = h == start;
-    } while (!closed);
-    for (h = start; !closed && opposite[h] != no_index;) {
-      h = next_halfedge(opposite[h]);
-      vertex[h] = v;
-    }
-    is_on_border.push_back(!closed);
+    const bool is_closed = for_each_in_fan(
+        opposite, start, [&](Index h) { return opposite[h] != no_index; }, [&](Index h) { vertex[h] = v; });
+    is_on_border.push_back(!is_closed);
   }
 };
 
-/// \param is_glued  per halfedge of the surface, whether triangles of the piece are glued there
+/// \param is_glued  per halfedge of the surface, whether triangles of the submesh are glued there
 /// \param local     scratch: per triangle of the surface; only entries of `triangles` are used
 template <typename Is_glued>
-Submesh make_piece(const Surface& surface, std::vector<Index> triangles, Is_glued is_glued,
-                   std::vector<Index>& local)
+Submesh make_submesh(const Surface& surface, std::vector<Index> triangles, Is_glued is_glued,
+                     std::vector<Index>& local)
 {
-  Submesh piece;
-  piece.triangles = std::move(triangles);
-  for (Index t = 0; t < piece.triangles.size(); ++t)
-    local[piece.triangles[t]] = t;
-  piece.opposite.assign(3 * piece.triangles.size(), no_index);
-  for (Index h = 0; h < piece.opposite.size(); ++h)
-    if (const Index g = piece.global(h); is_glued(g)) {
+  Submesh submesh;
+  submesh.triangles = std::move(triangles);
+  for (Index t = 0; t < submesh.triangles.size(); ++t)
+    local[submesh.triangles[t]] = t;
+  submesh.opposite.assign(3 * submesh.triangles.size(), no_index);
+  for (Index h = 0; h < submesh.opposite.size(); ++h)
+    if (const Index g = submesh.global(h); is_glued(g)) {
       const Index o = surface.opposite[g];
-      piece.opposite[h] = 3 * local[o / 3] + o % 3;
+      submesh.opposite[h] = 3 * local[o / 3] + o % 3;
     }
-  piece.number_vertices();
-  return piece;
+  submesh.number_vertices();
+  return submesh;
 }
 
 /// The triangles, per part, of the parts that are connected over glued edges, in the order of their first
 /// triangles.
-inline std::vector<std::vector<Index>> connected_parts(const Submesh& piece)
+inline std::vector<std::vector<Index>> connected_parts(const Submesh& submesh)
 {
-  std::vector<std::vector<Index>> parts;
-  std::vector<bool> seen(piece.triangles.size(), false);
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < seen.size(); ++seed) {
-    if (seen[seed])
-      continue;
-    std::vector<Index>& part = parts.emplace_back();
-    seen[seed] = true;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      part.push_back(t);
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (const Index o = piece.opposite[h]; o != no_index && !seen[o / 3]) {
-          seen[o / 3] = true;
-          stack.push_back(o / 3);
-        }
-    }
-    std::sort(part.begin(), part.end());
-  }
+  const Components components = connected_components(submesh.opposite);
+  std::vector<std::vector<Index>> parts(components.count);
+  for (Index t = 0; t < submesh.triangles.size(); ++t)
+    parts[components.of_triangle[t]].push_back(t);
   return parts;
 }
 
 /// Triangles at which vertex numbers tell another connectivity than the glued edges do: triangles that visit
 /// a vertex twice, and edges that share both ends with another edge. A chart is an indexed mesh, so such
 /// triangles have to leave it.
-inline std::vector<Index> ambiguous_triangles(const Submesh& piece)
+inline std::vector<Index> ambiguous_triangles(const Submesh& submesh)
 {
-  std::vector<std::array<Index, 3>> corners(piece.triangles.size());
-  for (Index h = 0; h < piece.vertex.size(); ++h)
-    corners[h / 3][h % 3] = piece.vertex[h];
+  std::vector<std::array<Index, 3>> corners(submesh.triangles.size());
+  for (Index h = 0; h < submesh.vertex.size(); ++h)
+    corners[h / 3][h % 3] = submesh.vertex[h];
   const std::vector<Index> by_number = opposite_halfedges(corners);
   std::vector<Index> result;
   for (Index t = 0; t < corners.size(); ++t) {
     const auto& [a, b, c] = corners[t];
     bool ambiguous = a == b || b == c || c == a;
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      ambiguous = ambiguous || by_number[h] != piece.opposite[h];
+      ambiguous = ambiguous || by_number[h] != submesh.opposite[h];
     if (ambiguous)
       result.push_back(t);
   }

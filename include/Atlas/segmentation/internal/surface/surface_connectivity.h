@@ -7,7 +7,7 @@
 #include <Atlas/segmentation/internal/surface/Submesh.h>
 #include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
-#include <cstddef>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -20,7 +20,7 @@ inline Submesh surface_connectivity(const Surface& surface)
 {
   std::vector<Index> all(surface.number_of_triangles()), local(surface.number_of_triangles());
   std::iota(all.begin(), all.end(), Index(0));
-  return make_piece(
+  return make_submesh(
       surface, std::move(all), [&](Index h) { return may_cross(surface, h); }, local);
 }
 

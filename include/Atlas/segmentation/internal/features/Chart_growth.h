@@ -1,45 +1,33 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SEGMENTATION_EXPAND_CHARTS_H
-#define ATLAS_SEGMENTATION_EXPAND_CHARTS_H
+#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_CHART_GROWTH_H
+#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_CHART_GROWTH_H
 
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/Union_find.h>
-#include <Atlas/segmentation/distance_to_features.h>
+#include <Atlas/core/internal/edge_rules.h>
+#include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/internal/features/Chart_boundaries.h>
+#include <Atlas/segmentation/internal/features/Feature_distance.h>
 #include <Atlas/segmentation/internal/surface/Submesh.h>
-#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <queue>
+#include <utility>
 #include <vector>
 
-namespace Atlas {
-
-/// \brief When charts that meet while they grow become one. Shares are of the largest distance to features in
-/// the connected component (the paper's maxdist), in [0, 1].
-struct Growth_options
-{
-  /// Charts merge that both rise less than that above the place where they meet: the paper's epsilon =
-  /// maxdist/4.
-  double merge_depth = 0.25;
-  /// So do charts of which one rises less than that. Not in the paper; it makes seeds that are mere noise
-  /// harmless.
-  double noise_depth = 0.01;
-};
-
-namespace internal {
+namespace Atlas::internal {
 
 /// \brief Algorithm 2 of the paper: charts grow from the local maxima of a function, highest places first.
 class Chart_growth
 {
 public:
   /// \param largest  per triangle: the largest distance in its component
-  Chart_growth(const Surface& surface, const Submesh& piece, const std::vector<double>& distance,
+  Chart_growth(const Surface& surface, const Submesh& submesh, const std::vector<double>& distance,
                const std::vector<double>& largest, const Growth_options& options)
-      : surface_(surface), piece_(piece), distance_(distance), largest_(largest), options_(options),
-        boundaries_(surface, piece)
+      : surface_(surface), submesh_(submesh), distance_(distance), largest_(largest), options_(options),
+        boundaries_(surface, submesh)
   {}
 
   Chart_boundaries run()
@@ -74,12 +62,12 @@ private:
   std::vector<Index> local_maxima() const
   {
     Union_find plateaus(distance_.size());
-    for (Index h = 0; h < piece_.opposite.size(); ++h)
-      if (const Index o = piece_.opposite[h]; o != no_index && distance_[h / 3] == distance_[o / 3])
+    for (Index h = 0; h < submesh_.opposite.size(); ++h)
+      if (const Index o = submesh_.opposite[h]; o != no_index && distance_[h / 3] == distance_[o / 3])
         plateaus.unite(h / 3, o / 3);
     std::vector<std::uint8_t> is_maximum(distance_.size(), 1);
-    for (Index h = 0; h < piece_.opposite.size(); ++h)
-      if (const Index o = piece_.opposite[h]; o != no_index && distance_[o / 3] > distance_[h / 3])
+    for (Index h = 0; h < submesh_.opposite.size(); ++h)
+      if (const Index o = submesh_.opposite[h]; o != no_index && distance_[o / 3] > distance_[h / 3])
         is_maximum[plateaus.find(h / 3)] = 0;
     std::vector<Index> result;
     for (Index t = 0; t < distance_.size(); ++t)
@@ -99,11 +87,12 @@ private:
   void push(Index t)
   {
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      if (piece_.opposite[h] != no_index && boundaries_.is_boundary(h))
+      if (submesh_.opposite[h] != no_index && boundaries_.is_boundary(h))
         queue_.push({distance_[t], order_++, h});
   }
 
-  /// Across diagonals, and edges that must not be seams, the chart goes on at once.
+  /// Across diagonals, and edges that must not be seams, the chart goes on at once. (Not flood_fill(): edges
+  /// are pushed and opened on the way, in an order that decides ties.)
   void push_with_fixed_neighbors(Index start)
   {
     stack_.assign(1, start);
@@ -112,7 +101,7 @@ private:
       stack_.pop_back();
       push(t);
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-        const Index o = piece_.opposite[h];
+        const Index o = submesh_.opposite[h];
         if (o != no_index && must_not_be_seam(surface_, h) && boundaries_.chart(o / 3) == no_index) {
           boundaries_.put(o / 3, boundaries_.chart(t));
           boundaries_.open(h);
@@ -127,7 +116,7 @@ private:
     while (!queue_.empty()) {
       const Entry top = queue_.top();
       queue_.pop();
-      const Index h = top.halfedge, o = piece_.opposite[h];
+      const Index h = top.halfedge, o = submesh_.opposite[h];
       if (!boundaries_.is_boundary(h))
         continue;
       const Index here = boundaries_.chart(h / 3), there = boundaries_.chart(o / 3);
@@ -152,7 +141,7 @@ private:
   }
 
   const Surface& surface_;
-  const Submesh& piece_;
+  const Submesh& submesh_;
   const std::vector<double>& distance_;
   const std::vector<double>& largest_;
   Growth_options options_;
@@ -164,11 +153,11 @@ private:
 };
 
 /// Per triangle, the largest value in its connected component.
-inline std::vector<double> largest_of_component(const Submesh& piece, const std::vector<double>& distance)
+inline std::vector<double> largest_of_component(const Submesh& submesh, const std::vector<double>& distance)
 {
   std::vector<Index> component;
-  std::vector<double> largest(number_components(piece, component), 0), result(distance.size());
-  const auto component_of = [&](Index t) { return component[piece.vertex[3 * t]]; };
+  std::vector<double> largest(number_components(submesh, component), 0), result(distance.size());
+  const auto component_of = [&](Index t) { return component[submesh.vertex[3 * t]]; };
   for (Index t = 0; t < distance.size(); ++t)
     largest[component_of(t)] = std::max(largest[component_of(t)], distance[t]);
   for (Index t = 0; t < distance.size(); ++t)
@@ -176,27 +165,6 @@ inline std::vector<double> largest_of_component(const Submesh& piece, const std:
   return result;
 }
 
-} // namespace internal
-
-/// \brief Grows charts from the local maxima of a function on the triangles until they cover the surface.
-///
-/// Algorithm 2 of the LSCM paper. The highest triangles grow first, so that charts meet in the valleys, the
-/// features. All edges are boundaries at first; those that a chart grows across are removed, and so are loose
-/// ends, over and over: a chart that meets itself around a cylinder keeps a cut along which it borders
-/// itself, and remains a disc. (Only a closed sphere that is one chart is left without boundary.) Charts are
-/// numbered by their first triangles. O(n log n).
-///
-/// \param distance  per triangle, the same for all triangles of a face; see distance_to_features()
-inline Segmentation expand_charts(const Surface& surface, const std::vector<double>& distance,
-                                  const Growth_options& options = {})
-{
-  const internal::Submesh piece = internal::surface_connectivity(surface);
-  return internal::Chart_growth(surface, piece, distance, internal::largest_of_component(piece, distance),
-                                options)
-      .run()
-      .segmentation();
-}
-
-} // namespace Atlas
+} // namespace Atlas::internal
 
 #endif

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_CUT_SOCKS_H
-#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_CUT_SOCKS_H
+#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_SOCK_FINDER_H
+#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_SOCK_FINDER_H
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Union_find.h>
+#include <Atlas/core/internal/cuts.h>
+#include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/segmentation/internal/features/Fast_marching.h>
 #include <Atlas/segmentation/internal/surface/Submesh.h>
 #include <Atlas/segmentation/internal/surface/surface_connectivity.h>
@@ -20,7 +22,7 @@
 
 namespace Atlas::internal {
 
-/// Socks of less than that share of the area of their chart are left alone.
+/// Socks of less than that share of the area of their chart are left alone: noise.
 inline constexpr double least_share_of_sock = 0.01;
 
 /// \brief Finds the socks (capped cylinders) in one chart and the cuts that open them.
@@ -33,13 +35,13 @@ class Sock_finder
 {
 public:
   Sock_finder(const Surface& surface, const Submesh& chart)
-      : surface_(surface), chart_(chart), front_(surface, chart), is_reached_(chart.is_on_border)
+      : surface_(surface), chart_(chart), distances_(surface, chart), is_reached_(chart.is_on_border)
   {
     std::vector<Index> border;
     for (Index v = 0; v < chart.number_of_vertices(); ++v)
       if (chart.is_on_border[v])
         border.push_back(v);
-    front_.run(border);
+    distances_.run(border);
   }
 
   /// Halfedges of the surface to cut. A sock has area / perimeter^2 greater than the ratio.
@@ -61,7 +63,7 @@ private:
     bool is_sock = false;
   };
 
-  double height(Index v) const { return front_.distance()[v]; }
+  double height(Index v) const { return distances_.distance()[v]; }
 
   double height_of_triangle(Index t) const
   {
@@ -164,7 +166,7 @@ private:
 
   const Surface& surface_;
   const Submesh& chart_;
-  Fast_marching front_;
+  Fast_marching distances_;
   std::vector<std::uint8_t> is_reached_; ///< per vertex: on the border or on a cut
 };
 
@@ -176,13 +178,13 @@ inline void cut_socks(const Surface& surface, double sock_ratio, Segmentation& s
   std::vector<std::vector<Index>> cuts(lists.size());
   std::vector<Index> local(surface.number_of_triangles());
   execution.for_each(lists.size(), [&](std::size_t c) {
-    const Submesh chart = make_piece(
+    const Submesh chart = make_submesh(
         surface, std::move(lists[c]), [&](Index h) { return segmentation.is_glued(surface, h); }, local);
     cuts[c] = Sock_finder(surface, chart).cuts(sock_ratio);
   });
   for (const std::vector<Index>& some : cuts)
     for (const Index h : some)
-      segmentation.cut[h] = segmentation.cut[surface.opposite[h]] = 1;
+      set_cut(surface, segmentation, h, true);
 }
 
 } // namespace Atlas::internal

@@ -1,56 +1,36 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SEGMENTATION_DISTANCE_TO_FEATURES_H
-#define ATLAS_SEGMENTATION_DISTANCE_TO_FEATURES_H
+#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_FEATURE_DISTANCE_H
+#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_FEATURE_DISTANCE_H
 
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/segmentation/internal/features/Fast_marching.h>
 #include <Atlas/segmentation/internal/surface/Submesh.h>
-#include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace Atlas {
-
-namespace internal {
+namespace Atlas::internal {
 
 /// How far things are from the features.
 struct Feature_distance
 {
-  std::vector<double> vertex;   ///< per vertex of the piece
+  std::vector<double> vertex;   ///< per vertex of the submesh
   std::vector<double> triangle; ///< per triangle
-  std::vector<Index> component; ///< per vertex of the piece
+  std::vector<Index> component; ///< per vertex of the submesh
   Index number_of_components = 0;
 };
 
-/// Numbers the connected components of a piece, per vertex.
-inline Index number_components(const Submesh& piece, std::vector<Index>& component)
+/// Numbers the connected components of a submesh, per vertex, in the order of their first vertices.
+inline Index number_components(const Submesh& submesh, std::vector<Index>& component)
 {
-  component.assign(piece.number_of_vertices(), no_index);
-  Index count = 0;
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < component.size(); ++seed) {
-    if (component[seed] != no_index)
-      continue;
-    component[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index v = stack.back();
-      stack.pop_back();
-      for (Index k = piece.first[v]; k < piece.first[v + 1]; ++k) {
-        const Index h = piece.outgoing[k];
-        for (const Index w : {piece.head(h), piece.vertex[previous_halfedge(h)]})
-          if (component[w] == no_index) {
-            component[w] = count;
-            stack.push_back(w);
-          }
-      }
-    }
-    ++count;
-  }
-  return count;
+  const Components triangles = connected_components(submesh.opposite);
+  component.resize(submesh.number_of_vertices());
+  for (Index v = 0; v < component.size(); ++v)
+    component[v] = triangles.of_triangle[submesh.outgoing[submesh.first[v]] / 3];
+  return triangles.count;
 }
 
 /// \brief The paper's rule for closed components without features: the two ends of a diameter become the
@@ -61,11 +41,11 @@ inline Index number_components(const Submesh& piece, std::vector<Index>& compone
 class Diameter_rule
 {
 public:
-  Diameter_rule(Fast_marching& front, Feature_distance& field)
-      : front_(front), field_(field), is_featureless_(field.number_of_components, 1)
+  Diameter_rule(Fast_marching& distances, Feature_distance& field)
+      : distances_(distances), field_(field), is_featureless_(field.number_of_components, 1)
   {
     for (Index v = 0; v < field.vertex.size(); ++v)
-      if (front.is_reached(v))
+      if (distances.is_reached(v))
         is_featureless_[field.component[v]] = 0;
   }
 
@@ -83,10 +63,10 @@ public:
       }
     std::vector<double> largest(field_.number_of_components, 0);
     for (const Index v : farthest_from(both(ends.a, ends.b)))
-      largest[field_.component[v]] = front_.distance()[v];
+      largest[field_.component[v]] = distances_.distance()[v];
     for (Index v = 0; v < field_.vertex.size(); ++v)
       if (is_featureless_[field_.component[v]])
-        field_.vertex[v] = largest[field_.component[v]] - front_.distance()[v];
+        field_.vertex[v] = largest[field_.component[v]] - distances_.distance()[v];
   }
 
 private:
@@ -105,8 +85,8 @@ private:
 
   std::vector<Index> farthest_from(const std::vector<Index>& vertices)
   {
-    front_.run(vertices);
-    return highest(front_.distance());
+    distances_.run(vertices);
+    return highest(distances_.distance());
   }
 
   struct Ends
@@ -118,14 +98,14 @@ private:
   /// From the given vertices to the farthest place, and on from there; the way never gets shorter.
   Ends sweep(const std::vector<Index>& start)
   {
-    constexpr int sweeps = 3;
+    constexpr int sweeps = 3; // on shapes without many arms the way is a longest one by then
     Ends ends{{}, farthest_from(start), {}};
     for (int i = 0; i < sweeps; ++i) {
       ends.a = std::move(ends.b);
       ends.b = farthest_from(ends.a);
     }
     for (const Index v : ends.b)
-      ends.length.push_back(front_.distance()[v]);
+      ends.length.push_back(distances_.distance()[v]);
     return ends;
   }
 
@@ -135,63 +115,47 @@ private:
     return a;
   }
 
-  Fast_marching& front_;
+  Fast_marching& distances_;
   Feature_distance& field_;
   std::vector<std::uint8_t> is_featureless_;
 };
 
 /// The distance of a triangle is the mean over the corners of its input face's triangles.
-inline std::vector<double> distance_of_triangles(const Surface& surface, const Submesh& piece,
+inline std::vector<double> distance_of_triangles(const Surface& surface, const Submesh& submesh,
                                                  const std::vector<double>& vertex)
 {
   std::vector<double> sum(surface.number_of_faces, 0), count(surface.number_of_faces, 0);
-  for (Index h = 0; h < piece.vertex.size(); ++h) {
-    sum[surface.face[h / 3]] += vertex[piece.vertex[h]];
+  for (Index h = 0; h < submesh.vertex.size(); ++h) {
+    sum[surface.face[h / 3]] += vertex[submesh.vertex[h]];
     ++count[surface.face[h / 3]];
   }
-  std::vector<double> result(piece.triangles.size());
+  std::vector<double> result(submesh.triangles.size());
   for (Index t = 0; t < result.size(); ++t)
     result[t] = sum[surface.face[t]] / count[surface.face[t]];
   return result;
 }
 
-inline Feature_distance distance_to_features(const Surface& surface, const Submesh& piece,
+/// The distance to the features, per halfedge of the surface: see Atlas::distance_to_features().
+inline Feature_distance distance_to_features(const Surface& surface, const Submesh& submesh,
                                              const std::vector<std::uint8_t>& is_feature)
 {
   std::vector<Index> sources;
-  for (Index v = 0; v < piece.number_of_vertices(); ++v)
-    if (piece.is_on_border[v])
+  for (Index v = 0; v < submesh.number_of_vertices(); ++v)
+    if (submesh.is_on_border[v])
       sources.push_back(v);
-  for (Index h = 0; h < piece.vertex.size(); ++h)
+  for (Index h = 0; h < submesh.vertex.size(); ++h)
     if (is_feature[h])
-      sources.push_back(piece.vertex[h]);
-  Fast_marching front(surface, piece);
-  front.run(sources);
+      sources.push_back(submesh.vertex[h]);
+  Fast_marching distances(surface, submesh);
+  distances.run(sources);
   Feature_distance field;
-  field.vertex = front.distance();
-  field.number_of_components = number_components(piece, field.component);
-  Diameter_rule(front, field).run();
-  field.triangle = distance_of_triangles(surface, piece, field.vertex);
+  field.vertex = distances.distance();
+  field.number_of_components = number_components(submesh, field.component);
+  Diameter_rule(distances, field).run();
+  field.triangle = distance_of_triangles(surface, submesh, field.vertex);
   return field;
 }
 
-} // namespace internal
-
-/// \brief The function that drives the growth of charts: per triangle, the distance along the surface to the
-/// nearest border, patch border, wanted seam or feature, in the unit of the model.
-///
-/// Closed components without any of them get the function of the paper's diameter rule: highest at the two
-/// ends of a diameter, falling with the distance to the nearer one. Triangles of one face have one value.
-/// Section 3.2 of the LSCM paper; distances by fast marching. O(n log n).
-///
-/// \param is_feature  per halfedge
-inline std::vector<double> distance_to_features(const Surface& surface,
-                                                const std::vector<std::uint8_t>& is_feature)
-{
-  return internal::distance_to_features(surface, internal::surface_connectivity(surface), is_feature)
-      .triangle;
-}
-
-} // namespace Atlas
+} // namespace Atlas::internal
 
 #endif

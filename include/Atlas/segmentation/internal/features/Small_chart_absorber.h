@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_ABSORB_SMALL_CHARTS_H
-#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_ABSORB_SMALL_CHARTS_H
+#ifndef ATLAS_SEGMENTATION_INTERNAL_FEATURES_SMALL_CHART_ABSORBER_H
+#define ATLAS_SEGMENTATION_INTERNAL_FEATURES_SMALL_CHART_ABSORBER_H
 
 #include <Atlas/core/Surface.h>
 #include <Atlas/segmentation/internal/features/Chart_boundaries.h>
@@ -29,15 +29,15 @@ struct Smallness
 class Small_chart_absorber
 {
 public:
-  Small_chart_absorber(const Surface& surface, const Submesh& piece, Chart_boundaries& boundaries)
-      : surface_(surface), piece_(piece), boundaries_(boundaries), charts_(boundaries.number_of_names())
+  Small_chart_absorber(const Surface& surface, const Submesh& submesh, Chart_boundaries& boundaries)
+      : surface_(surface), submesh_(submesh), boundaries_(boundaries), charts_(boundaries.number_of_names())
   {
-    for (Index t = 0; t < piece.triangles.size(); ++t) {
+    for (Index t = 0; t < submesh.triangles.size(); ++t) {
       Chart_data& chart = charts_[boundaries.chart(t)];
       chart.area += triangle_area(surface, t);
       ++chart.triangles;
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (const Index o = piece.opposite[h];
+        if (const Index o = submesh.opposite[h];
             o != no_index && boundaries.chart(o / 3) != boundaries.chart(t))
           chart.border.push_back(h);
     }
@@ -87,7 +87,7 @@ private:
     };
     std::vector<Shared> shared;
     for (const Index h : charts_[c].border)
-      if (const Index d = boundaries_.chart(piece_.opposite[h] / 3); d != c)
+      if (const Index d = boundaries_.chart(submesh_.opposite[h] / 3); d != c)
         shared.push_back({d, h, edge_length(surface_, h)});
     std::stable_sort(shared.begin(), shared.end(),
                      [](const Shared& a, const Shared& b) { return a.neighbor < b.neighbor; });
@@ -113,7 +113,7 @@ private:
 
   Index merge(Index h)
   {
-    const Index c = boundaries_.chart(h / 3), d = boundaries_.chart(piece_.opposite[h] / 3);
+    const Index c = boundaries_.chart(h / 3), d = boundaries_.chart(submesh_.opposite[h] / 3);
     const Index merged = boundaries_.unite(c, d);
     boundaries_.open(h);
     Chart_data &to = charts_[merged], &from = charts_[merged == c ? d : c];
@@ -127,7 +127,7 @@ private:
   }
 
   const Surface& surface_;
-  const Submesh& piece_;
+  const Submesh& submesh_;
   Chart_boundaries& boundaries_;
   std::vector<Chart_data> charts_;
 };

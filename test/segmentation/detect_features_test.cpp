@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/segmentation/feature_detection.h>
+#include <Atlas/segmentation/Feature_segmentation.h>
+#include <Atlas/segmentation/internal/features/detect_features.h>
 
 #include "segmentation_shapes.h"
 #include <array>
@@ -34,7 +35,7 @@ protected:
   /// Places in the middle row where features are, and m + j for features anywhere else.
   std::vector<Index> trace(int rings)
   {
-    internal::Feature_tracer tracer(surface_, piece_, sharpness_, 0.5f, 5, 15, rings);
+    internal::Feature_tracer tracer(surface_, submesh_, sharpness_, 0.5f, 5, 15, rings);
     is_feature_ = tracer.run(CGAL_PI);
     std::vector<Index> found;
     for (Index h = 0; h < surface_.opposite.size(); ++h)
@@ -62,7 +63,7 @@ protected:
   }
 
   Surface surface_ = test::surface_of(test::planar_grid(m, n));
-  internal::Submesh piece_ = internal::surface_connectivity(surface_);
+  internal::Submesh submesh_ = internal::surface_connectivity(surface_);
   std::vector<float> sharpness_;
   std::vector<std::uint8_t> is_feature_;
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -144,7 +145,8 @@ private:
     double area = 0;
     for (const double a : graph_->area)
       area += a;
-    const double squared_radius = area / (CGAL_PI * static_cast<double>(std::max<std::size_t>(size(), 1)));
+    const double squared_radius =
+        area / (std::numbers::pi * static_cast<double>(std::max<std::size_t>(size(), 1)));
     distance_weight_ = squared_radius > 0 ? compactness_ / squared_radius : 0;
   }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_MERGING_LAYOUT_LIMITS_H
+#define ATLAS_SEGMENTATION_INTERNAL_MERGING_LAYOUT_LIMITS_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/segmentation/internal/merging/layout_quality.h>
+#include <Atlas/segmentation/merge_charts.h>
+
+#include <cmath>
+
+namespace Atlas::internal {
+
+/// The share of its convex hull that a flat chart fills.
+inline double solidity(const Chart& layout)
+{
+  return area_uv(layout) / hull_area(layout.uv);
+}
+
+/// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
+inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
+{
+  const Atlas::Distortion distortion = measure_distortion(layout);
+  if (std::isfinite(factor) && !(value(distortion, options.measure) <=
+                                 1 + factor * options.share_for_trials * (options.max_distortion - 1)))
+    return false;
+  for (const auto& [u, v, w] : layout.triangles)
+    if (CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&
+        CGAL::squared_area(layout.points[u], layout.points[v], layout.points[w]) > 0)
+      return false;
+  return true;
+}
+
+/// Whether a chart that comes from merging fills enough of its convex hull.
+/// \param is_large  whether it has more than its share of the surface's area
+inline bool fills_hull(const Chart& layout, bool is_large, const Merge_options& options)
+{
+  const double filled = solidity(layout);
+  return filled >= options.min_solidity && !(is_large && filled < options.solidity_of_large_charts);
+}
+
+} // namespace Atlas::internal
+
+#endif
