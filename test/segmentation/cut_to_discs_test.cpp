@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
 #include "segmentation_checks.h"
 #include "test_meshes.h"
+#include <random>
 
 namespace Atlas {
 namespace {
