@@ -45,11 +45,12 @@ double area_in_plane(const Chart& chart)
 /// Charts of a mesh without coordinates, each with its area in space.
 std::vector<Chart> flattened_charts(const Surface& surface, const Execution& execution)
 {
-  Segmentation segmentation = Default_segmentation().segment(surface, execution);
+  const Policies policies = preset();
+  Segmentation segmentation = policies.segmentation.segment(surface, execution);
   cut_to_discs(surface, segmentation, execution);
   std::vector<Chart> charts;
   for (Chart& chart : extract_charts(surface, segmentation)) {
-    const Chart_status status = Default_parameterizer().parameterize(chart, execution);
+    const Chart_status status = policies.parameterizer.parameterize(chart, execution);
     const double plane = status == Chart_status::valid ? area_in_plane(chart) : 0;
     if (!(plane > 0))
       continue;

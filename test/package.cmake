@@ -93,7 +93,10 @@ atlas_must_not_compile(Package.CompilerRefusesGplHeaders gpl_header.cpp -DCGAL_L
                        "you defined CGAL_LICENSE_ERROR")
 # A wrong policy fails at the call, with the name of the concept.
 atlas_must_not_compile(Package.CompilerNamesTheConcept wrong_policies.cpp -DNDEBUG
-                       ChartSegmentation ChartParameterizer UVOptimizer ChartValidator ChartPacker)
+                       ChartSegmentation ChartParameterizer UVOptimizer ChartValidator ChartSplitter ChartPacker)
+atlas_must_not_compile(Package.CompilerRefusesUnknownNames unknown_name.cpp -DNDEBUG
+                       "this function has no such named parameter")
+atlas_must_not_compile(Package.CompilerNamesWhatIsNoMap wrong_maps.cpp -DNDEBUG "no matching function")
 
 add_test(NAME Package.HeadersIncludeOnlyWhatTheirRoomMay
          COMMAND ${CMAKE_COMMAND} -DINCLUDE_DIR=${atlas_include} "-DOPTIONAL=${atlas_optional_headers}"

@@ -2,19 +2,16 @@
 #ifndef ATLAS_GENERATE_ATLAS_H
 #define ATLAS_GENERATE_ATLAS_H
 
-#include <Atlas/core/concepts.h>
-#include <Atlas/core/constrain_hard_edges.h>
 #include <Atlas/core/internal/Mesh_arrays.h>
-#include <Atlas/core/internal/page_options.h>
+#include <Atlas/core/internal/named_parameters.h>
+#include <Atlas/core/mesh_concepts.h>
 #include <Atlas/core/parameters.h>
 #include <Atlas/pipeline/Atlas_report.h>
-#include <Atlas/pipeline/internal/Atlas_pipeline.h>
+#include <Atlas/pipeline/internal/run_atlas.h>
 #include <Atlas/pipeline/presets.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-
-#include <cstddef>
+#include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -22,67 +19,69 @@ namespace Atlas {
 
 namespace internal {
 
-/// The share of a page that charts cover as a rule.
-inline constexpr double usual_packing_efficiency = 0.6;
+/// The names that both overloads of `generate_atlas()` know.
+template <typename... More>
+using Atlas_names =
+    Only_names<texture_size_t, gutter_t, page_options_t, mode_t, merge_options_t, max_charts_t,
+               min_chart_texels_t, hard_angle_t, segmentation_t, parameterizer_t, optimizer_t, validator_t,
+               splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
 
-/// When charts merge, as a pack of named parameters asks.
+/// The policies of a pack.
 template <typename NamedParameters>
-Merge_options chosen_merge_options(const NamedParameters& np, Atlas_mode mode, const Page_options& page)
+void read_policies(const NamedParameters& np, Atlas_request& request)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Merge_options options = choose_parameter(get_parameter(np, merge_options_t()), merge_options(mode));
-  const auto max_charts = choose_parameter(get_parameter(np, max_charts_t()), options.max_charts);
-  CGAL_precondition_msg(!(max_charts < 0), "the number of charts must not be negative");
-  options.max_charts = static_cast<std::size_t>(max_charts);
-  const double texels = choose_parameter(get_parameter(np, min_chart_texels_t()), 0.0);
-  CGAL_precondition_msg(texels >= 0, "the size of charts must not be negative");
-  if (texels > 0)
-    options.min_chart_area = texels / (usual_packing_efficiency * double(page.width) * page.height);
-  return options;
+  if constexpr (has_parameter<segmentation_t, NamedParameters>) {
+    static_assert(ChartSegmentation<std::remove_cvref_t<decltype(parameter<segmentation_t>(np))>>,
+                  "the segmentation must model ChartSegmentation");
+    request.segmentation.emplace(parameter<segmentation_t>(np));
+  }
+  if constexpr (has_parameter<parameterizer_t, NamedParameters>) {
+    static_assert(ChartParameterizer<std::remove_cvref_t<decltype(parameter<parameterizer_t>(np))>>,
+                  "the parameterizer must model ChartParameterizer");
+    request.parameterizer.emplace(parameter<parameterizer_t>(np));
+  }
+  if constexpr (has_parameter<optimizer_t, NamedParameters>) {
+    static_assert(UVOptimizer<std::remove_cvref_t<decltype(parameter<optimizer_t>(np))>>,
+                  "the optimizer must model UVOptimizer");
+    request.optimizer.emplace(parameter<optimizer_t>(np));
+  }
+  if constexpr (has_parameter<validator_t, NamedParameters>) {
+    using Validator = std::remove_cvref_t<decltype(parameter<validator_t>(np))>;
+    static_assert(ChartValidator<Validator>, "the validator must model ChartValidator");
+    request.validator.emplace(parameter<validator_t>(np));
+    if constexpr (ChartSplitter<Validator>) // unless a splitter is given, a validator that can split does
+      request.splitter.emplace(parameter<validator_t>(np));
+  }
+  if constexpr (has_parameter<splitter_t, NamedParameters>) {
+    static_assert(ChartSplitter<std::remove_cvref_t<decltype(parameter<splitter_t>(np))>>,
+                  "the splitter must model ChartSplitter");
+    request.splitter.emplace(parameter<splitter_t>(np));
+  }
+  if constexpr (has_parameter<packer_t, NamedParameters>) {
+    static_assert(ChartPacker<std::remove_cvref_t<decltype(parameter<packer_t>(np))>>,
+                  "the packer must model ChartPacker");
+    request.packer.emplace(parameter<packer_t>(np));
+  }
 }
 
-/// Runs the pipeline with the policies of a pack. `use(pipeline)` gets it after a run that filled the
-/// coordinates.
-template <typename NamedParameters, typename Use>
-Atlas_report run_pipeline(const Surface& surface, std::vector<Point_2>& corner_uv, const NamedParameters& np,
-                          Use use)
+/// What a pack of named parameters asks for.
+template <typename NamedParameters>
+Atlas_request atlas_request(const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const Page_options page = page_options(np);
-  const Atlas_mode mode = choose_parameter(get_parameter(np, mode_t()), Atlas_mode::standard);
-  const Merge_options merge = chosen_merge_options(np, mode, page);
-  const auto segmentation =
-      choose_parameter(get_parameter(np, segmentation_t()), Default_segmentation(merge, finish(mode)));
-  const auto parameterizer =
-      choose_parameter(get_parameter(np, parameterizer_t()), Default_parameterizer(mode));
-  const auto optimizer = choose_parameter(get_parameter(np, optimizer_t()), Default_optimizer());
-  const auto validator = choose_parameter(get_parameter(np, validator_t()), Default_validator(merge));
-  const auto packer = choose_parameter(get_parameter(np, packer_t()), Default_packer());
-  const auto threads = choose_parameter(get_parameter(np, number_of_threads_t()), 0u);
-  const Progress progress = choose_parameter(get_parameter(np, progress_t()), Progress());
-  static_assert(ChartSegmentation<std::remove_cvref_t<decltype(segmentation)>>,
-                "the segmentation must model ChartSegmentation");
-  static_assert(ChartParameterizer<std::remove_cvref_t<decltype(parameterizer)>>,
-                "the parameterizer must model ChartParameterizer");
-  static_assert(UVOptimizer<std::remove_cvref_t<decltype(optimizer)>>,
-                "the optimizer must model UVOptimizer");
-  static_assert(ChartValidator<std::remove_cvref_t<decltype(validator)>>,
-                "the validator must model ChartValidator");
-  static_assert(ChartPacker<std::remove_cvref_t<decltype(packer)>>, "the packer must model ChartPacker");
-
-  Surface with_hard_edges;
-  const double hard_angle = choose_parameter(get_parameter(np, hard_angle_t()), 0.0);
-  CGAL_precondition_msg(hard_angle >= 0 && hard_angle <= 180, "the hard angle must be in (0, 180] degrees");
-  if (hard_angle > 0)
-    constrain_hard_edges(with_hard_edges = surface, hard_angle);
-  Atlas_pipeline pipeline(hard_angle > 0 ? with_hard_edges : surface, segmentation, parameterizer, optimizer,
-                          validator, packer, page, static_cast<unsigned>(threads), progress);
-  Atlas_report report = pipeline.run(corner_uv);
-  if (report.status == Atlas_status::valid || report.status == Atlas_status::not_valid)
-    use(pipeline.segmentation());
-  return report;
+  Atlas_request request;
+  request.page = page_options(np);
+  read_parameter<mode_t>(np, request.mode);
+  read_parameter<merge_options_t>(np, request.merge_options);
+  if constexpr (has_parameter<max_charts_t, NamedParameters>)
+    request.max_charts = checked_count("max_charts", parameter<max_charts_t>(np), 0, no_index - 1);
+  if constexpr (has_parameter<min_chart_texels_t, NamedParameters>)
+    request.min_chart_texels = static_cast<double>(parameter<min_chart_texels_t>(np));
+  if constexpr (has_parameter<hard_angle_t, NamedParameters>)
+    request.hard_angle = static_cast<double>(parameter<hard_angle_t>(np));
+  request.threads = number_of_threads(np);
+  read_parameter<progress_t>(np, request.progress);
+  read_policies(np, request);
+  return request;
 }
 
 } // namespace internal
@@ -95,55 +94,63 @@ Atlas_report run_pipeline(const Surface& surface, std::vector<Point_2>& corner_u
 /// coordinates
 ///                   in [0, 1]^2 of its page, origin bottom left; all of them are floats in value. Left as it
 ///                   is when the run is cancelled or there is no surface.
-/// \param np         any of the names of `parameters.h` but the maps
+/// \param np         any of the names of `parameters.h` but the maps; another name fails to compile
+///
+/// \throws Invalid_argument if an argument cannot be, or the arrays of the surface do not fit together;
+/// before any work \throws Policy_error     if a policy returns what its concept does not allow
 template <typename T = bool, typename Tag = CGAL::internal_np::all_default_t,
           typename Base = CGAL::internal_np::No_property>
 Atlas_report
 generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
                const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
-  return internal::run_pipeline(surface, corner_uv, np, [](const Segmentation&) {});
+  internal::Atlas_names<>::check(&np);
+  return internal::run_atlas(surface, internal::atlas_request(np), corner_uv);
 }
 
 /// \brief Makes a texture atlas of a mesh: segments it into charts, flattens them, proves them, packs them.
 ///
-/// \tparam FaceListGraph a model of CGAL's `FaceListGraph`; triangles, quads or any polygons, open or closed
+/// \tparam Mesh          a model of CGAL's `FaceListGraph`; triangles, quads or any polygons, open or closed
 /// \tparam HalfedgeUVMap a writable property map from halfedges to a point type constructible from two
 /// doubles
 ///
 /// \param mesh  stays as it is
 /// \param uv    output: for every halfedge h that is not on the border, the image of `target(h)` in
-/// `face(h)`, in
-///              [0, 1]^2 of the face's page, origin bottom left
-/// \param np    names of Atlas (see `parameters.h`), then of CGAL: `vertex_point_map`, `vertex_index_map`,
+/// `face(h)`, in [0, 1]^2 of the face's page, origin bottom left. Left as it is when the run is cancelled or
+/// there is no atlas. \param np    names of Atlas (see `parameters.h`), then of CGAL: `vertex_point_map`,
+/// `vertex_index_map`,
 ///              `edge_is_constrained_map` (edges that must be seams), `face_patch_map` (faces of different
-///              patches never share a chart)
+///              patches never share a chart). Another name fails to compile.
 ///
 /// \return what happened; `is_valid()` tells whether the coordinates are proved to be free of flips and
-/// overlaps
+/// overlaps. Faults of the data are in here, nothing is thrown for them.
 ///
-/// Errors: a wrong parameter violates a precondition. Faults of the data are in the report, nothing is
-/// thrown. The steps are those of Levy, Petitjean, Ray, Maillot 2002.
-template <typename FaceListGraph, typename HalfedgeUVMap, typename T = bool,
+/// \throws Invalid_argument if an argument cannot be; before any work
+/// \throws Policy_error     if a policy returns what its concept does not allow
+///
+/// The steps are those of Levy, Petitjean, Ray, Maillot 2002.
+template <FaceListMesh Mesh, WritableHalfedgeUVMap<Mesh> HalfedgeUVMap, typename T = bool,
           typename Tag = CGAL::internal_np::all_default_t, typename Base = CGAL::internal_np::No_property>
 Atlas_report
-generate_atlas(const FaceListGraph& mesh, HalfedgeUVMap uv,
+generate_atlas(const Mesh& mesh, HalfedgeUVMap uv,
                const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+  using namespace internal;
   using UV_point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-
-  const internal::Mesh_arrays<FaceListGraph> view = internal::mesh_arrays(mesh, np);
+  Atlas_names<seam_cost_map_t, forbidden_seam_map_t, face_weight_map_t, face_chart_map_t, face_page_map_t,
+              edge_seam_map_t, CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_index_t,
+              CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::face_patch_t>::check(&np);
+  const Atlas_request request = atlas_request(np);
+  const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
   std::vector<Point_2> corner_uv;
-  Atlas_report report =
-      internal::run_pipeline(view.surface, corner_uv, np, [&](const Segmentation& segmentation) {
-        internal::write_edge_seams(mesh, view, segmentation, get_parameter(np, internal::edge_seam_map_t()));
-      });
+  const Atlas_report report = run_atlas(arrays.surface, request, corner_uv);
+  if (corner_uv.empty())
+    return report;
   for (std::size_t c = 0; c < corner_uv.size(); ++c)
-    put(uv, view.halfedges[c], UV_point(corner_uv[c].x(), corner_uv[c].y()));
-  internal::write_face_numbers(view, report.face_chart, get_parameter(np, internal::face_chart_map_t()));
-  internal::write_face_numbers(view, report.face_page, get_parameter(np, internal::face_page_map_t()));
+    put(uv, arrays.halfedges[c], UV_point(corner_uv[c].x(), corner_uv[c].y()));
+  write_edge_seams(mesh, arrays, report.segmentation, parameter<edge_seam_map_t>(np));
+  write_face_numbers(arrays, report.face_chart, parameter<face_chart_map_t>(np));
+  write_face_numbers(arrays, report.face_page, parameter<face_page_map_t>(np));
   return report;
 }
 

@@ -2,9 +2,10 @@
 #ifndef ATLAS_PACK_CHARTS_H
 #define ATLAS_PACK_CHARTS_H
 
-#include <Atlas/core/concepts.h>
+#include <Atlas/core/Any_policies.h>
 #include <Atlas/core/internal/Mesh_arrays.h>
-#include <Atlas/core/internal/page_options.h>
+#include <Atlas/core/internal/named_parameters.h>
+#include <Atlas/core/mesh_concepts.h>
 #include <Atlas/core/parameters.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/pack_charts.h>
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -22,7 +24,7 @@ namespace Atlas {
 /// \brief Packs the texture coordinates of a mesh anew, whatever made them; the shapes of charts stay as they
 /// are.
 ///
-/// \tparam FaceListGraph a model of CGAL's `FaceListGraph`
+/// \tparam Mesh          a model of CGAL's `FaceListGraph`
 /// \tparam HalfedgeUVMap a readable and writable property map from halfedges to a point type constructible
 /// from two doubles
 ///
@@ -37,34 +39,42 @@ namespace Atlas {
 ///
 /// Gives the packing: a placement for every chart. Charts that are folded or overlap themselves are packed
 /// as they are. Where there is no room at all, `number_of_pages` is 0 and coordinates are left alone.
-template <typename FaceListGraph, typename HalfedgeUVMap, typename T = bool,
+template <FaceListMesh Mesh, ReadableHalfedgeUVMap<Mesh> HalfedgeUVMap, typename T = bool,
           typename Tag = CGAL::internal_np::all_default_t, typename Base = CGAL::internal_np::No_property>
-Packing pack_charts(const FaceListGraph& mesh, HalfedgeUVMap uv,
-                    const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
+requires WritableHalfedgeUVMap<HalfedgeUVMap, Mesh> Packing
+pack_charts(const Mesh& mesh, HalfedgeUVMap uv,
+            const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+  using namespace internal;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  const internal::Mesh_arrays<FaceListGraph> view = internal::mesh_arrays(mesh, np);
-  const std::vector<Point_2> corner_uv = internal::read_corner_uv(view, uv);
-  const auto packer = choose_parameter(get_parameter(np, internal::packer_t()), Raster_packer());
-  static_assert(ChartPacker<std::remove_cvref_t<decltype(packer)>>, "the packer must model ChartPacker");
-  const Execution execution(
-      static_cast<unsigned>(choose_parameter(get_parameter(np, internal::number_of_threads_t()), 0u)));
-  const Surface& surface = view.surface;
-  Repacked_charts repacked = pack_charts(surface, corner_uv, internal::page_options(np), packer, execution);
+  Only_names<texture_size_t, gutter_t, page_options_t, packer_t, face_weight_map_t, number_of_threads_t,
+             face_chart_map_t, face_page_map_t, CGAL::internal_np::vertex_point_t,
+             CGAL::internal_np::vertex_index_t>::check(&np);
+  const Page_options page = page_options(np);
+  std::optional<Any_packer> packer;
+  if constexpr (has_parameter<packer_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
+    static_assert(ChartPacker<std::remove_cvref_t<decltype(parameter<packer_t>(np))>>,
+                  "the packer must model ChartPacker");
+    packer.emplace(parameter<packer_t>(np));
+  } else {
+    packer.emplace(Raster_packer());
+  }
+  const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
+  const std::vector<Point_2> corner_uv = read_corner_uv(arrays, uv);
+  const Surface& surface = arrays.surface;
+  Repacked_charts repacked = pack_charts(surface, corner_uv, page, *packer, Execution(number_of_threads(np)));
 
-  std::vector<Index> chart(view.faces.size(), no_index), page(view.faces.size(), 0);
+  std::vector<Index> chart(arrays.faces.size(), no_index), page_of_face(arrays.faces.size(), 0);
   for (Index t = 0; t < surface.number_of_triangles(); ++t) {
     chart[surface.face[t]] = repacked.segmentation.chart[t];
-    page[surface.face[t]] = repacked.page[surface.corner[3 * t]];
+    page_of_face[surface.face[t]] = repacked.page[surface.corner[3 * t]];
   }
-  internal::write_face_numbers(view, chart, get_parameter(np, internal::face_chart_map_t()));
-  internal::write_face_numbers(view, page, get_parameter(np, internal::face_page_map_t()));
+  write_face_numbers(arrays, chart, parameter<face_chart_map_t>(np));
+  write_face_numbers(arrays, page_of_face, parameter<face_page_map_t>(np));
   if (repacked.packing.number_of_pages > 0)
     for (std::size_t c = 0; c < corner_uv.size(); ++c)
       if (repacked.uv[c] != corner_uv[c] && std::isfinite(repacked.uv[c].x()))
-        put(uv, view.halfedges[c], Point(repacked.uv[c].x(), repacked.uv[c].y()));
+        put(uv, arrays.halfedges[c], Point(repacked.uv[c].x(), repacked.uv[c].y()));
   return std::move(repacked.packing);
 }
 

@@ -94,25 +94,47 @@ struct Validator_archetype : Policy
 {
   using Policy::Policy;
   Chart_verdict validate(const Chart&, const Execution&) const { return {}; }
-  std::vector<Index> split(const Chart&, const Chart_verdict&) const { return {}; }
 };
 static_assert(ChartValidator<Validator_archetype>);
 
-struct Validator_without_split
-{
-  Chart_verdict validate(const Chart&, const Execution&) const { return {}; }
-};
-struct Validator_without_culprits : Validator_archetype
+struct Validator_without_culprits
 {
   Chart_status validate(const Chart&, const Execution&) const { return {}; }
 };
-struct Validator_that_moves_vertices : Validator_archetype
+struct Validator_that_moves_vertices
 {
   Chart_verdict validate(Chart&, const Execution&) const { return {}; }
 };
-static_assert(!ChartValidator<Validator_without_split>);
 static_assert(!ChartValidator<Validator_without_culprits>);
 static_assert(!ChartValidator<Validator_that_moves_vertices>);
+
+struct Splitter_archetype : Policy
+{
+  using Policy::Policy;
+  std::vector<Index> split(const Chart&, const Chart_verdict&) const { return {}; }
+};
+static_assert(ChartSplitter<Splitter_archetype>);
+
+struct Splitter_without_a_verdict
+{
+  std::vector<Index> split(const Chart&) const { return {}; }
+};
+struct Splitter_that_answers_yes_or_no
+{
+  bool split(const Chart&, const Chart_verdict&) const { return {}; }
+};
+static_assert(!ChartSplitter<Splitter_without_a_verdict>);
+static_assert(!ChartSplitter<Splitter_that_answers_yes_or_no>);
+static_assert(!ChartSplitter<Validator_archetype>);
+
+// What policies may tell besides is asked of them only where they do.
+struct Segmentation_with_a_bound : Segmentation_archetype
+{
+  Distortion_bound bound() const { return {}; }
+};
+static_assert(BoundedSegmentation<Segmentation_with_a_bound>);
+static_assert(!BoundedSegmentation<Segmentation_archetype>);
+static_assert(!RecordingParameterizer<Parameterizer_archetype>);
 
 struct Packer_archetype : Policy
 {
@@ -191,6 +213,7 @@ static_assert(!LSCMTraits<Traits_with_pins_without_places>);
                             .parameterizer(Parameterizer_archetype(0))
                             .optimizer(Optimizer_archetype(0))
                             .validator(Validator_archetype(0))
+                            .splitter(Splitter_archetype(0))
                             .packer(Packer_archetype(0)));
 }
 [[maybe_unused]] Chart_status run_with_archetypes(Chart& chart)

@@ -18,5 +18,6 @@ int main()
   run(Atlas::parameters::parameterizer(Not_a_policy()));
   run(Atlas::parameters::optimizer(Not_a_policy()));
   run(Atlas::parameters::validator(Not_a_policy()));
+  run(Atlas::parameters::splitter(Not_a_policy()));
   run(Atlas::parameters::packer(Not_a_policy()));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a surface, or coordinates that it has, say of seams: constrain_hard_edges(), constrain_to_uv(),
 // Existing_uv_parameterizer.
-#include <Atlas/core/constrain_hard_edges.h>
-#include <Atlas/core/constrain_to_uv.h>
+#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/constrain_edges.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 
 #include "test_meshes.h"

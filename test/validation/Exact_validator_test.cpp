@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/pipeline/internal/round_coordinates.h>
+#include <Atlas/validation/Culprit_splitter.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include "test_meshes.h"
@@ -78,7 +79,7 @@ std::pair<std::size_t, int> split_until_valid(const Chart& chart, const Exact_va
       }
       EXPECT_FALSE(verdict.culprits.empty());
       EXPECT_TRUE(std::is_sorted(verdict.culprits.begin(), verdict.culprits.end()));
-      const std::vector<Index> parts = validator.split(c, verdict);
+      const std::vector<Index> parts = Culprit_splitter(validator.area_quantile()).split(c, verdict);
       EXPECT_EQ(parts.size(), c.number_of_triangles());
       const std::size_t count = number_of_parts(parts);
       EXPECT_GE(count, 2u);
@@ -208,10 +209,10 @@ TEST(ExactValidator, NumbersThatAreMissingOrNotFinite)
   chart.uv[3] = Point_2(NAN, 0);
   const Chart_verdict verdict = Exact_validator().validate(chart, execution);
   EXPECT_EQ(verdict.status, Chart_status::solver_failed);
-  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, verdict)), 2u);
+  EXPECT_EQ(number_of_parts(Culprit_splitter().split(chart, verdict)), 2u);
   chart.uv.clear();
   EXPECT_EQ(Exact_validator().validate(chart, execution).status, Chart_status::solver_failed);
-  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, {Chart_status::not_a_disc, {}})), 2u);
+  EXPECT_EQ(number_of_parts(Culprit_splitter().split(chart, {Chart_status::not_a_disc, {}})), 2u);
 }
 
 TEST(ExactValidator, AnOverlapOfTheEndsCostsOneCut)
@@ -271,7 +272,7 @@ TEST(ExactValidator, CutsAlongTheBorderOfTheOverlappedZone)
   EXPECT_EQ(verdict.culprits, std::vector<Index>(zone.begin(), zone.end()));
   EXPECT_LT(zone.size(), chart.number_of_triangles() * 2 / 3);
 
-  const std::vector<Index> parts = Exact_validator(0).split(chart, verdict);
+  const std::vector<Index> parts = Culprit_splitter().split(chart, verdict);
   ASSERT_EQ(number_of_parts(parts), 2u);
   const std::vector<Index> opposite = internal::opposite_halfedges(chart.triangles);
   std::size_t cuts = 0;
@@ -353,7 +354,7 @@ TEST(ExactValidator, GrowsTwoPartsFromTheExtremeTriangles)
   const Chart_verdict verdict = validator.validate(chart, execution);
   ASSERT_EQ(verdict.status, Chart_status::area_ratio_exceeded);
   EXPECT_EQ(verdict.culprits, (std::vector<Index>{std::min(low, high), std::max(low, high)}));
-  const std::vector<Index> parts = validator.split(chart, verdict);
+  const std::vector<Index> parts = Culprit_splitter(validator.area_quantile()).split(chart, verdict);
   ASSERT_EQ(number_of_parts(parts), 2u);
   EXPECT_NE(parts[low], parts[high]);
   const internal::Chart_graph graph(chart);
@@ -413,7 +414,7 @@ TEST(ExactValidator, WhatIsTooSmallForThePageComesOffWithAScaleOfItsOwn)
   Chart rounded = chart;
   const Chart_verdict verdict{Chart_status::flipped, internal::Grid_rounding(rounded)()};
   ASSERT_FALSE(verdict.culprits.empty());
-  const std::vector<Index> parts = validator.split(chart, verdict);
+  const std::vector<Index> parts = Culprit_splitter(validator.area_quantile()).split(chart, verdict);
   ASSERT_EQ(number_of_parts(parts), 2u);
   Chart rest = part_of(chart, parts, 0), core = part_of(chart, parts, 1);
   EXPECT_TRUE(
@@ -430,7 +431,8 @@ TEST(ExactValidator, WhatIsTooSmallForThePageComesOffWithAScaleOfItsOwn)
 
   // A needle that does not survive is not small: it comes off alone.
   const Chart flat = flat_grid(20);
-  const std::vector<Index> one = validator.split(flat, {Chart_status::flipped, {17}});
+  const std::vector<Index> one =
+      Culprit_splitter(validator.area_quantile()).split(flat, {Chart_status::flipped, {17}});
   EXPECT_EQ(std::count(one.begin(), one.end(), 1u), 1);
   EXPECT_EQ(one[17], 1u);
 }
@@ -439,7 +441,7 @@ TEST(ExactValidator, HalvesAreHalves)
 {
   for (const Index n : {1u, 2u, 3u, 7u, 20u}) {
     const Chart chart = flat_grid(n);
-    const std::vector<Index> parts = Exact_validator().split(chart, {Chart_status::solver_failed, {}});
+    const std::vector<Index> parts = Culprit_splitter().split(chart, {Chart_status::solver_failed, {}});
     EXPECT_EQ(std::count(parts.begin(), parts.end(), 0u), n * n);
     EXPECT_EQ(std::count(parts.begin(), parts.end(), 1u), n * n);
     // A clean cut: hardly longer than a diagonal.
@@ -456,12 +458,12 @@ TEST(ExactValidator, SplitsChartsInOneSpotAndInPieces)
   Chart chart = flat_grid(3);
   for (Point_3& p : chart.points)
     p = Point_3(1, 1, 1);
-  EXPECT_EQ(number_of_parts(Exact_validator().split(chart, {Chart_status::solver_failed, {}})), 2u);
+  EXPECT_EQ(number_of_parts(Culprit_splitter().split(chart, {Chart_status::solver_failed, {}})), 2u);
   Chart two =
       chart_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}});
-  EXPECT_EQ(Exact_validator().split(two, {Chart_status::not_a_disc, {}}), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(Culprit_splitter().split(two, {Chart_status::not_a_disc, {}}), (std::vector<Index>{0, 1}));
   two.triangles.pop_back();
-  EXPECT_EQ(Exact_validator().split(two, {Chart_status::flipped, {0}}), std::vector<Index>{0});
+  EXPECT_EQ(Culprit_splitter().split(two, {Chart_status::flipped, {0}}), std::vector<Index>{0});
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/validation/Culprit_splitter.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include "Scene.h"
@@ -236,7 +237,7 @@ void draw_overlap(const Atlas::Surface& surface, const Arguments& arguments, con
   if (verdict.is_valid())
     return;
 
-  const std::vector<Index> parts = Atlas::Exact_validator(0).split(whole[0].chart, verdict);
+  const std::vector<Index> parts = Atlas::Culprit_splitter().split(whole[0].chart, verdict);
   for (std::size_t t = 0; t < parts.size(); ++t)
     part[whole[0].chart.source[t]] = 1 + parts[t];
   std::vector<Framed_chart> split = charts_of_parts(surface, segmentation, part);

@@ -3,9 +3,11 @@
 #define ATLAS_CORE_PACKING_H
 
 #include <Atlas/core/Kernel.h>
+#include <Atlas/core/library.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -66,8 +68,11 @@ struct Page_options
   Chart_rotation rotation = Chart_rotation::any;
   Chart_stacking stacking = Chart_stacking::none;
   std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
-  std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places as in their plane
-                                  ///< and move as one; `no_index`: alone
+  std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places and move as one;
+                                  ///< `no_index`: alone
+  /// Per chart of a group: where it is in the plane in which the group keeps together. That plane is scaled
+  /// so that the charts of a group keep their areas in all. Empty: the charts' own plane, as it is.
+  std::vector<Placement> places_in_group = {};
   /// Per chart: where it stays, in size too, whatever its weight or group; the others are packed around it.
   /// Locked charts are not checked against each other. Where they leave no room on the only page, there is no
   /// packing.
@@ -82,6 +87,29 @@ struct Page_options
     return std::max({gutter, texels_at_level, diagonal});
   }
 };
+
+/// The largest side of a page, in texels.
+inline constexpr Index max_page_side = 65536;
+/// The most levels of a mip-map that charts are kept apart for.
+inline constexpr Index max_mip_levels = 16;
+/// The largest block of texels that charts are kept apart for.
+inline constexpr Index max_block = 4096;
+/// As many pages as there are UDIM tiles, from 1001 to 9999.
+inline constexpr Index max_pages = 8999;
+
+/// \brief Refuses what cannot be, but for the lengths of lists.
+///
+/// \throws Invalid_argument that names the member of `Page_options` unless: `width` and `height` are in [1,
+/// 65536]; the gutter is finite, not negative and, with mip levels and blocks, less than half of the smaller
+/// side; `mip_levels` is at most 16, `block` 4096, `pages` in [1, 8999]; `density` is finite and not
+/// negative; weights are positive and finite; and places are finite, those of locked charts on pages with a
+/// number.
+void check(const Page_options& page);
+
+/// \brief Refuses what cannot be for so many charts: also lists that are neither empty nor of that length.
+///
+/// \throws Invalid_argument that names the member of `Page_options`
+void check(const Page_options& page, std::size_t number_of_charts);
 
 /// \brief The result of a packer. All charts share one density, but for their weights; only their places
 /// differ.
@@ -102,5 +130,9 @@ inline Index udim_tile(Index page)
 }
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/core/internal/Packing_impl.h>
+#endif
 
 #endif

@@ -37,6 +37,8 @@ struct optimizer_t
 {};
 struct validator_t
 {};
+struct splitter_t
+{};
 struct packer_t
 {};
 struct number_of_threads_t
@@ -157,6 +159,13 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::validator_t>(k);
   }
+  /// A model of `ChartSplitter`; default: the validator, if one is given that can split, else
+  /// `Culprit_splitter`.
+  template <typename K>
+  auto splitter(const K& k) const
+  {
+    return with<internal::splitter_t>(k);
+  }
   /// A model of `ChartPacker`.
   template <typename K>
   auto packer(const K& k) const
@@ -222,6 +231,7 @@ template <typename K> auto segmentation(const K& k) { return Named_parameters<K,
 template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
 template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }
 template <typename K> auto validator(const K& k) { return Named_parameters<K, internal::validator_t>(k); }
+template <typename K> auto splitter(const K& k) { return Named_parameters<K, internal::splitter_t>(k); }
 template <typename K> auto packer(const K& k) { return Named_parameters<K, internal::packer_t>(k); }
 template <typename K> auto number_of_threads(const K& k) { return Named_parameters<K, internal::number_of_threads_t>(k); }
 template <typename K> auto progress(const K& k) { return Named_parameters<K, internal::progress_t>(k); }

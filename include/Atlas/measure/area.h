@@ -4,49 +4,27 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
-
-#include <cmath>
+#include <Atlas/core/library.h>
 
 namespace Atlas {
 
 /// The area of the surface, in squared units of the model.
-inline double area_3d(const Surface& surface)
-{
-  double sum = 0;
-  for (const auto& [a, b, c] : surface.triangles)
-    sum += std::sqrt(CGAL::squared_area(surface.points[a], surface.points[b], surface.points[c]));
-  return sum;
-}
+double area_3d(const Surface& surface);
 
 /// The area of the chart in space.
-inline double area_3d(const Chart& chart)
-{
-  double sum = 0;
-  for (const auto& [a, b, c] : chart.triangles)
-    sum += std::sqrt(CGAL::squared_area(chart.points[a], chart.points[b], chart.points[c]));
-  return sum;
-}
+double area_3d(const Chart& chart);
 
 /// The area of the flattened chart: flipped triangles count negative.
-inline double area_uv(const Chart& chart)
-{
-  double sum = 0;
-  for (const auto& [a, b, c] : chart.triangles)
-    sum += CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]);
-  return sum;
-}
+double area_uv(const Chart& chart);
 
 /// The length of all seams in units of the model, each edge once: edges with a triangle on both sides that
 /// are not glued. The border of the surface is no seam.
-inline double seam_length(const Surface& surface, const Segmentation& segmentation)
-{
-  double sum = 0;
-  for (Index h = 0; h < surface.opposite.size(); ++h)
-    if (surface.opposite[h] != no_index && h < surface.opposite[h] && !segmentation.is_glued(surface, h))
-      sum += std::sqrt(CGAL::squared_distance(surface.point(h), surface.point(next_halfedge(h))));
-  return sum;
-}
+double seam_length(const Surface& surface, const Segmentation& segmentation);
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/measure/internal/area_impl.h>
+#endif
 
 #endif

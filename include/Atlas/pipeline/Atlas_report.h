@@ -7,7 +7,6 @@
 #include <Atlas/core/Stage.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/measure/distortion.h>
-#include <Atlas/measure/distortion.h>
 #include <Atlas/validation/Atlas_certificate.h>
 
 #include <array>
@@ -21,6 +20,7 @@ enum class Atlas_status {
   valid,      ///< every face that can has coordinates, and the certificate proves them
   not_valid,  ///< coordinates are complete, but the certificate names faults
   no_surface, ///< not one face has an area: there is nothing to map
+  no_room,    ///< the packer found no room for the charts; the coordinates are untouched
   cancelled   ///< the caller asked to stop; the coordinates are untouched
 };
 
@@ -34,6 +34,8 @@ inline const char* message(Atlas_status status)
     return "the atlas is not valid";
   case Atlas_status::no_surface:
     return "no face of the mesh has an area";
+  case Atlas_status::no_room:
+    return "the pages have no room for the charts";
   case Atlas_status::cancelled:
     return "the caller asked to stop";
   }
@@ -65,7 +67,9 @@ struct [[nodiscard]] Atlas_report
   double gutter = 0;                     ///< asked for, texels
 
   std::vector<Surface::Rejected_face>
-      rejected;                  ///< faces that cannot have coordinates of their own, with the reason
+      rejected;              ///< faces that cannot have coordinates of their own, with the reason
+  Segmentation segmentation; ///< per triangle of the surface its chart, and the cuts. Charts are numbered in
+                             ///< the order of their first triangles, here, in `charts` and in the certificate
   std::vector<Index> face_chart; ///< per face of the input: its chart, or `no_index` for a rejected face
   std::vector<Index> face_page;  ///< per face of the input: its page
   std::vector<Chart_report> charts;

@@ -3,10 +3,12 @@
 #define ATLAS_VALIDATION_STENCIL_VALIDATOR_H
 
 #include <Atlas/core/concepts.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/planar/internal/box_tree.h>
 #include <Atlas/validation/Exact_validator.h>
 #include <Atlas/validation/internal/OSMesa_stencil.h>
 #include <Atlas/validation/internal/chart_densities.h>
+#include <Atlas/validation/internal/chart_faults.h>
 #include <Atlas/validation/internal/split_chart.h>
 #include <Atlas/validation/overlaps.h>
 
@@ -51,7 +53,7 @@ inline Stencil_overlaps find_stencil_overlaps(std::span<const Triangle_uv> trian
 /// Flips are not looked for by themselves; a flipped triangle with neighbours is drawn over them. For a
 /// proof, use `Exact_validator`.
 ///
-/// Models `ChartValidator`. A header of its own, because it needs OSMesa.
+/// Models `ChartValidator` and `ChartSplitter`. A header of its own, because it needs OSMesa.
 class Stencil_validator
 {
 public:
@@ -62,13 +64,13 @@ public:
                              double max_area_ratio = default_max_area_ratio, Index tile = 0)
       : resolution_(resolution), max_area_ratio_(max_area_ratio), tile_(tile)
   {
-    CGAL_precondition(resolution > 0);
+    internal::require(resolution > 0, "resolution", "must be at least 1 texel");
   }
 
   /// \throw std::runtime_error  no context can be made
   Chart_verdict validate(const Chart& chart, const Execution& execution) const
   {
-    if (!has_coordinates(chart))
+    if (!internal::has_coordinates(chart))
       return {Chart_status::solver_failed, {}};
     const Stencil_overlaps found = overlaps(chart);
     if (execution.is_cancelled())
@@ -79,16 +81,16 @@ public:
   }
 
   /// Cuts along the edges on the border of the overlapped zone, or grows two parts from the extreme
-  /// triangles; see `Exact_validator::split()`.
+  /// triangles; see `Culprit_splitter`.
   std::vector<Index> split(const Chart& chart, const Chart_verdict& verdict) const
   {
     const internal::Chart_graph graph(chart);
     auto [parts, components] = graph.components([](Index) { return true; });
     if (components > 1)
       return parts;
-    if (has_coordinates(chart) && verdict.status == Chart_status::overlapping)
+    if (internal::has_coordinates(chart) && verdict.status == Chart_status::overlapping)
       parts = internal::split_overlap(chart, graph, overlaps(chart).overlaps);
-    else if (has_coordinates(chart) && verdict.status == Chart_status::area_ratio_exceeded)
+    else if (internal::has_coordinates(chart) && verdict.status == Chart_status::area_ratio_exceeded)
       parts = internal::Chart_densities(chart, 0).split(graph);
     if (!internal::is_split(parts))
       parts = internal::halve(graph);
@@ -96,19 +98,9 @@ public:
   }
 
 private:
-  static bool has_coordinates(const Chart& chart)
-  {
-    return chart.uv.size() == chart.points.size() &&
-           std::all_of(chart.uv.begin(), chart.uv.end(),
-                       [](const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); });
-  }
-
   Stencil_overlaps overlaps(const Chart& chart) const
   {
-    std::vector<Triangle_uv> triangles;
-    for (const auto& [a, b, c] : chart.triangles)
-      triangles.push_back({chart.uv[a], chart.uv[b], chart.uv[c]});
-    return find_stencil_overlaps(triangles, resolution_, tile_);
+    return find_stencil_overlaps(internal::triangles_uv(chart), resolution_, tile_);
   }
 
   Index resolution_;
@@ -116,7 +108,7 @@ private:
   Index tile_;
 };
 
-static_assert(ChartValidator<Stencil_validator>);
+static_assert(ChartValidator<Stencil_validator> && ChartSplitter<Stencil_validator>);
 
 namespace internal {
 

@@ -20,10 +20,13 @@ ATLAS_INLINE std::string name_of_type(const std::type_info& type)
   return boost::core::demangle(type.name());
 }
 
-/// What a chart is worth whose coordinates a policy of that role says it has filled.
-inline Chart_status checked_coordinates(const Chart& chart, Chart_status status, const char* role,
-                                        const std::string& type)
+/// What a chart is worth whose coordinates a policy of that role says it has filled. `triangles` is how many
+/// there were before.
+inline Chart_status checked_coordinates(const Chart& chart, std::size_t triangles, Chart_status status,
+                                        const char* role, const std::string& type)
 {
+  if (chart.triangles.size() != triangles)
+    throw Policy_error(role, type, "changed the triangles of a chart");
   if (status != Chart_status::valid)
     return status;
   if (chart.uv.size() != chart.points.size())
@@ -73,14 +76,16 @@ ATLAS_INLINE Chart_status Any_parameterizer::parameterize(Chart& chart, const Ex
 ATLAS_INLINE Chart_status Any_parameterizer::parameterize(Chart& chart, const Execution& execution,
                                                           Flattening_record& record) const
 {
+  const std::size_t triangles = chart.triangles.size();
   const Chart_status status = policy().parameterize(chart, execution, record);
-  return internal::checked_coordinates(chart, status, "parameterizer", type_name());
+  return internal::checked_coordinates(chart, triangles, status, "parameterizer", type_name());
 }
 
 ATLAS_INLINE Chart_status Any_optimizer::optimize(Chart& chart, const Execution& execution) const
 {
+  const std::size_t triangles = chart.triangles.size();
   const Chart_status status = policy().optimize(chart, execution);
-  return internal::checked_coordinates(chart, status, "optimizer", type_name());
+  return internal::checked_coordinates(chart, triangles, status, "optimizer", type_name());
 }
 
 ATLAS_INLINE Chart_verdict Any_validator::validate(const Chart& chart, const Execution& execution) const

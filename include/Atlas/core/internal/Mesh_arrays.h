@@ -4,9 +4,11 @@
 
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/core/internal/named_parameters.h>
+#include <Atlas/core/mesh_concepts.h>
 #include <Atlas/core/parameters.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -22,8 +24,6 @@
 #include <vector>
 
 namespace Atlas::internal {
-
-using CGAL::internal_np::Param_not_found;
 
 /// The surface of a mesh, and the way back to the mesh.
 template <typename FaceListGraph>
@@ -105,7 +105,8 @@ void read_seam_costs(const FaceListGraph& mesh, Mesh_arrays<FaceListGraph>& view
   for (Index h = 0; h < surface.opposite.size(); ++h)
     if (const Index o = surface.opposite[h]; o != no_index && h < o && !surface.is_diagonal(h)) {
       surface.seam_cost[h] = surface.seam_cost[o] = cost_of(view.halfedge_of(h));
-      CGAL_precondition_msg(surface.seam_cost[h] > 0, "seams must have a positive cost");
+      require(surface.seam_cost[h] > 0 && std::isfinite(surface.seam_cost[h]), "seam_cost_map",
+              "must be finite and positive everywhere");
     }
 }
 
@@ -140,8 +141,8 @@ void read_density_weights(Mesh_arrays<FaceListGraph>& view, WeightMap weight)
   surface.density_weight.resize(surface.number_of_triangles());
   for (std::size_t t = 0; t < surface.density_weight.size(); ++t) {
     surface.density_weight[t] = CGAL::to_double(get(weight, view.faces[surface.face[t]]));
-    CGAL_precondition_msg(surface.density_weight[t] > 0 && std::isfinite(surface.density_weight[t]),
-                          "faces must have a positive weight");
+    require(surface.density_weight[t] > 0 && std::isfinite(surface.density_weight[t]), "face_weight_map",
+            "must be finite and positive everywhere");
   }
 }
 

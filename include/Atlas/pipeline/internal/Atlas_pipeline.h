@@ -2,7 +2,6 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
 #define ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
 
-#include <Atlas/core/concepts.h>
 #include <Atlas/core/internal/mean_weight.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
@@ -10,6 +9,7 @@
 #include <Atlas/pipeline/internal/Chart_flattener.h>
 #include <Atlas/pipeline/internal/normalize.h>
 #include <Atlas/pipeline/internal/round_coordinates.h>
+#include <Atlas/pipeline/internal/run_atlas.h>
 #include <Atlas/pipeline/internal/separate_cut_sides.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/validation/certify.h>
@@ -24,27 +24,21 @@
 
 namespace Atlas::internal {
 
-/// What the caller of the pipeline hears: the stage and its fraction in [0, 1]; `false` cancels.
-using Progress = std::function<bool(Stage, double)>;
-
 /// \brief One run from a surface to proved coordinates.
 ///
 /// Data flows one way: segmentation -> charts -> flattened charts -> places on pages -> rounded coordinates
 /// -> certificate. Charts that the certificate refuses go back to the flattener.
-template <ChartSegmentation Segmentation_policy, ChartParameterizer Parameterizer, UVOptimizer Optimizer,
-          ChartValidator Validator, ChartPacker Packer>
 class Atlas_pipeline
 {
 public:
   /// Rounds of packing, rounding and verification before the faults that remain are reported.
   static constexpr int maximal_page_rounds = 6;
 
-  Atlas_pipeline(const Surface& input, const Segmentation_policy& segmentation,
-                 const Parameterizer& parameterizer, const Optimizer& optimizer, const Validator& validator,
-                 const Packer& packer, const Page_options& page, unsigned threads, Progress progress)
-      : surface_(input), model_(normalize(surface_)), segmentation_policy_(segmentation), packer_(packer),
-        page_(page), execution_(threads), progress_(std::move(progress)),
-        flattener_(surface_, segmentation_, parameterizer, optimizer, validator, execution_)
+  /// \param policies  must outlive this object
+  Atlas_pipeline(const Surface& input, const Policies& policies, const Page_options& page, unsigned threads,
+                 Progress progress)
+      : surface_(input), model_(normalize(surface_)), policies_(policies), page_(page), execution_(threads),
+        progress_(std::move(progress)), flattener_(surface_, segmentation_, policies, execution_)
   {
     page_.density *= model_.unit;
   }
@@ -59,6 +53,10 @@ public:
     timed(Stage::parameterization, [&] { flattener_.run(texel(), report_.bound); });
     for (int round = 0; !execution_.is_cancelled(); ++round) {
       timed(Stage::packing, [&] { pack(); });
+      if (report_.pages == 0 && !execution_.is_cancelled()) {
+        report_.status = Atlas_status::no_room;
+        return report_;
+      }
       std::vector<Index> refused;
       timed(Stage::verification, [&] { refused = verify(); });
       bool is_other = false;
@@ -76,8 +74,6 @@ public:
     return report_;
   }
 
-  const Segmentation& segmentation() const { return segmentation_; }
-
 private:
   void describe_input()
   {
@@ -88,8 +84,7 @@ private:
     report_.page_height = page_.height;
     report_.gutter = page_.gutter;
     report_.area = area_3d(surface_);
-    if constexpr (requires { Distortion_bound(segmentation_policy_.bound()); })
-      report_.bound = segmentation_policy_.bound();
+    report_.bound = policies_.segmentation.bound().value_or(Distortion_bound());
   }
 
   template <typename Work>
@@ -114,7 +109,7 @@ private:
   {
     std::vector<Point_3> positions = positions_on_grid(surface_, model_.largest_side);
     std::swap(surface_.points, positions);
-    segmentation_ = segmentation_policy_.segment(surface_, execution_);
+    segmentation_ = policies_.segmentation.segment(surface_, execution_);
     if (!execution_.is_cancelled())
       cut_to_discs(surface_, segmentation_, execution_);
     std::swap(surface_.points, positions);
@@ -127,10 +122,12 @@ private:
       charts_.push_back(f.chart);
     if (!surface_.density_weight.empty())
       page_.weights = chart_weights();
-    packing_ = packer_.pack(charts_, page_, execution_);
+    packing_ = policies_.packer.pack(charts_, page_, execution_);
     if (execution_.is_cancelled())
       return;
     report_.pages = packing_.number_of_pages;
+    if (report_.pages == 0)
+      return;
     report_.density = packing_.density / model_.unit;
     face_page_.assign(surface_.number_of_faces, 0);
     rounding_faults_.assign(charts_.size(), {});
@@ -239,11 +236,29 @@ private:
     }
   }
 
+  /// Numbers the charts in the order of their first triangles, as the certificate does.
+  void renumber()
+  {
+    std::vector<Index> number(charts_.size(), no_index);
+    Index next = 0;
+    for (Index& c : segmentation_.chart) {
+      if (number[c] == no_index)
+        number[c] = next++;
+      c = number[c];
+    }
+    report_.charts.resize(charts_.size());
+    std::vector<Chart_report> reports(charts_.size());
+    for (std::size_t c = 0; c < charts_.size(); ++c)
+      reports[number[c]] = std::move(report_.charts[c]);
+    report_.charts = std::move(reports);
+    report_.face_chart = chart_of_faces();
+    report_.segmentation = std::move(segmentation_);
+  }
+
   void summarize()
   {
     report_.split_charts = flattener_.split_charts();
     report_.rejoined_pieces = flattener_.rejoined_pieces();
-    report_.face_chart = chart_of_faces();
     report_.face_page = face_page_;
     report_.seam_length = seam_length(surface_, segmentation_) * model_.unit;
     report_.charts.resize(charts_.size());
@@ -277,18 +292,18 @@ private:
     report_.packing_efficiency = covered / (double(page_.width) * page_.height * double(report_.pages));
     report_.area *= model_.unit * model_.unit;
     report_.status = report_.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
+    renumber();
   }
 
   Surface surface_;
   Normalization model_;
-  const Segmentation_policy& segmentation_policy_;
-  const Packer& packer_;
+  const Policies& policies_;
   Page_options page_;
   Execution execution_;
   Progress progress_;
 
   Segmentation segmentation_;
-  Chart_flattener<Parameterizer, Optimizer, Validator> flattener_;
+  Chart_flattener flattener_;
   std::vector<Chart> charts_; ///< per chart, on its page, rounded
   Packing packing_;
   std::vector<std::vector<Index>> rounding_faults_;

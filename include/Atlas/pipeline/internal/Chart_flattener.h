@@ -5,15 +5,16 @@
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/concepts.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Flattened_chart.h>
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Schnyder_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
+#include <Atlas/validation/internal/chart_faults.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,6 @@ namespace Atlas::internal {
 ///
 /// Charts that are refused, by the validator or later on the page, are split and flattened again; every split
 /// lowers the number of faces in a chart, so that this ends. Pieces may then join other charts.
-template <ChartParameterizer Parameterizer, UVOptimizer Optimizer, ChartValidator Validator>
 class Chart_flattener
 {
 public:
@@ -47,10 +47,9 @@ public:
   static constexpr double fineness = 4294967296.0;
 
   /// \param segmentation  is changed where charts are split or joined
-  Chart_flattener(const Surface& surface, Segmentation& segmentation, const Parameterizer& parameterizer,
-                  const Optimizer& optimizer, const Validator& validator, const Execution& execution)
-      : surface_(surface), segmentation_(segmentation), parameterizer_(parameterizer), optimizer_(optimizer),
-        validator_(validator), execution_(execution)
+  Chart_flattener(const Surface& surface, Segmentation& segmentation, const Policies& policies,
+                  const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), policies_(policies), execution_(execution)
   {}
 
   /// \param texel  about the side of a texel in units of the model
@@ -104,6 +103,7 @@ private:
           done += results[i].chart.number_of_triangles();
           charts_[open[i]] = std::move(results[i]);
         } else if (!this->split(open[i], results[i], round >= first_halving_round, split)) {
+          give_coordinates(results[i]);
           charts_[open[i]] = std::move(results[i]);
         }
       }
@@ -135,23 +135,27 @@ private:
   {
     Flattened_chart result{std::move(chart), {}, {}};
     Chart_verdict& verdict = result.verdict;
-    verdict.status = parameterize(result.chart, result.record);
+    verdict.status = policies_.parameterizer.parameterize(result.chart, execution_, result.record);
     if (verdict.status == Chart_status::valid)
-      verdict.status = optimizer_.optimize(result.chart, execution_);
+      verdict.status = policies_.optimizer.optimize(result.chart, execution_);
     if (verdict.status == Chart_status::valid) {
       give_area(result.chart);
-      verdict = validator_.validate(result.chart, execution_);
+      verdict = policies_.validator.validate(result.chart, execution_);
     }
     return result;
   }
 
-  /// Parameterizers may tell what they did.
-  Chart_status parameterize(Chart& chart, Flattening_record& record) const
+  /// A face that cannot be split keeps what it was refused with; where a policy failed to give it coordinates
+  /// at all, it gets those of a drawing on a grid.
+  void give_coordinates(Flattened_chart& f) const
   {
-    if constexpr (requires { parameterizer_.parameterize(chart, execution_, record); })
-      return parameterizer_.parameterize(chart, execution_, record);
-    else
-      return parameterizer_.parameterize(chart, execution_);
+    const Chart_status status = f.verdict.status;
+    if (status != Chart_status::solver_failed && status != Chart_status::not_a_disc &&
+        status != Chart_status::cancelled && has_coordinates(f.chart))
+      return;
+    f.chart.uv.assign(f.chart.number_of_vertices(), Point_2(0, 0));
+    if (draw_on_grid(f))
+      f.record.start = Flattening_start::schnyder;
   }
 
   /// Scales the chart to its area in space; but to no less than about a texel, so that tiny and needle-thin
@@ -212,7 +216,7 @@ private:
       return false;
     std::vector<Index> parts;
     if (!is_halved)
-      parts = whole_face_parts(source, validator_.split(refused.chart, refused.verdict));
+      parts = whole_face_parts(source, policies_.splitter.split(refused.chart, refused.verdict));
     if (std::all_of(parts.begin(), parts.end(), [&](Index part) { return part == parts.front(); }))
       parts = halves(source);
     std::vector<Index> names; // of the parts, in the order of their first triangle
@@ -286,15 +290,13 @@ private:
     if (drawn.uv == f.chart.uv)
       return false;
     f.chart = std::move(drawn);
-    f.verdict = validator_.validate(f.chart, execution_);
+    f.verdict = policies_.validator.validate(f.chart, execution_);
     return true;
   }
 
   const Surface& surface_;
   Segmentation& segmentation_;
-  const Parameterizer& parameterizer_;
-  const Optimizer& optimizer_;
-  const Validator& validator_;
+  const Policies& policies_;
   const Execution& execution_;
 
   double texel_ = 0;

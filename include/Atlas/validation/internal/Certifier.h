@@ -7,7 +7,7 @@
 #include <Atlas/core/internal/area_in_space.h>
 #include <Atlas/planar/internal/coverage_sweep.h>
 #include <Atlas/validation/Atlas_certificate.h>
-#include <Atlas/validation/Certificate_options.h>
+#include <Atlas/validation/certify.h>
 #include <Atlas/validation/internal/Uv_charts.h>
 #include <Atlas/validation/internal/chart_clearance.h>
 #include <Atlas/validation/overlaps.h>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_CORE_CONSTRAIN_HARD_EDGES_H
-#define ATLAS_CORE_CONSTRAIN_HARD_EDGES_H
+#ifndef ATLAS_CORE_INTERNAL_CONSTRAIN_EDGES_IMPL_H
+#define ATLAS_CORE_INTERNAL_CONSTRAIN_EDGES_IMPL_H
 
-#include <Atlas/core/Surface.h>
+#include <Atlas/core/charts_of_uv.h>
+#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/errors.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +14,9 @@
 
 namespace Atlas {
 
-/// \brief Makes seams of all edges at which the normals of the two triangles turn by more than an angle.
-///
-/// \param degrees  in (0, 180]; a cube's edges have 90
-///
-/// Diagonals of polygons, edges that must not be seams, and edges of triangles without area are left alone.
-/// Linear.
-inline void constrain_hard_edges(Surface& surface, double degrees)
+ATLAS_INLINE void constrain_hard_edges(Surface& surface, double degrees)
 {
-  CGAL_precondition_msg(degrees > 0 && degrees <= 180, "the hard angle must be in (0, 180] degrees");
+  internal::require(degrees > 0 && degrees <= 180, "hard_angle", "must be in (0, 180] degrees");
   surface.constraint.resize(surface.opposite.size(), Edge_constraint::none);
   const double least_cosine = std::cos(degrees * std::numbers::pi / 180);
   const auto direction = [&](Index h) { // of about unit length, at any scale of the model
@@ -36,6 +32,21 @@ inline void constrain_hard_edges(Surface& surface, double degrees)
                                              surface.constraint[h] == Edge_constraint::none &&
                                              normal(h / 3) * normal(o / 3) < least_cosine)
       surface.constraint[h] = surface.constraint[o] = Edge_constraint::seam;
+}
+
+ATLAS_INLINE void constrain_to_uv(Surface& surface, std::span<const Point_2> uv)
+{
+  const Segmentation charts = charts_of_uv(surface, uv);
+  surface.patch = charts.chart;
+  surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
+  for (Index h = 0; h < surface.constraint.size(); ++h)
+    if (charts.cut[h])
+      surface.constraint[h] = Edge_constraint::seam;
+  for (Index t = 0; t < surface.patch.size(); ++t) {
+    const auto at = [&](Index i) { return uv[surface.corner[3 * t + i]]; };
+    if (charts.chart[t] != no_index && CGAL::orientation(at(0), at(1), at(2)) == CGAL::RIGHT_TURN)
+      surface.patch[t] += charts.number_of_charts;
+  }
 }
 
 } // namespace Atlas

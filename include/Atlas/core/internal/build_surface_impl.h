@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_CORE_INTERNAL_BUILD_SURFACE_IMPL_H
+#define ATLAS_CORE_INTERNAL_BUILD_SURFACE_IMPL_H
+
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/internal/halfedges.h>
+#include <Atlas/core/internal/triangulate_polygon.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace Atlas {
+
+namespace internal {
+
+inline bool is_finite(const Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+/// Gives vertices with exactly equal coordinates one number. O(n log n).
+inline std::vector<Index> merge_equal_points(const std::vector<Point_3>& points)
+{
+  std::vector<Index> order(points.size()), representative(points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  // NaN breaks the order of floating-point numbers, so points that are not finite come last and stay alone.
+  const auto less = [&](Index i, Index j) {
+    const bool a = is_finite(points[i]), b = is_finite(points[j]);
+    if (!a || !b)
+      return a != b ? a : i < j;
+    const Point_3 &p = points[i], &q = points[j];
+    return p.x() != q.x()   ? p.x() < q.x()
+           : p.y() != q.y() ? p.y() < q.y()
+           : p.z() != q.z() ? p.z() < q.z()
+                            : i < j;
+  };
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && is_finite(points[order[k]]) && points[order[k]] == points[order[k - 1]];
+    representative[order[k]] = same ? representative[order[k - 1]] : order[k];
+  }
+  return representative;
+}
+
+/// The first reason for which a polygon takes no part, if there is one; else its distinct consecutive
+/// corners.
+inline bool usable_corners(const std::vector<Point_3>& points, std::span<const Index> polygon,
+                           std::vector<Index>& corners, Rejection& reason)
+{
+  corners.clear();
+  for (Index i = 0; i < polygon.size(); ++i) {
+    if (polygon[i] >= points.size()) {
+      reason = Rejection::bad_index;
+      return false;
+    }
+    if (!is_finite(points[polygon[i]])) {
+      reason = Rejection::not_finite;
+      return false;
+    }
+    if (corners.empty() || polygon[corners.back()] != polygon[i])
+      corners.push_back(i);
+  }
+  while (corners.size() > 1 && polygon[corners.back()] == polygon[corners.front()])
+    corners.pop_back();
+  reason = Rejection::too_few_corners;
+  return corners.size() >= 3;
+}
+
+} // namespace internal
+
+ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vector<std::size_t>& first,
+                                   const std::vector<Index>& vertices)
+{
+  Surface surface;
+  surface.points = std::move(points);
+  surface.number_of_faces = first.empty() ? 0 : first.size() - 1;
+  surface.number_of_corners = vertices.size();
+
+  std::vector<Index> corners;
+  std::vector<std::array<Index, 3>> pieces;
+  for (std::size_t f = 0; f < surface.number_of_faces; ++f) {
+    const std::span<const Index> polygon(vertices.data() + first[f], first[f + 1] - first[f]);
+    Rejection reason{};
+    if (!internal::usable_corners(surface.points, polygon, corners, reason)) {
+      surface.rejected.push_back({static_cast<Index>(f), reason});
+      continue;
+    }
+    internal::triangulate_polygon(
+        corners.size(), [&](std::size_t i) { return surface.points[polygon[corners[i]]]; }, pieces);
+    for (const auto& piece : pieces) {
+      std::array<Index, 3> triangle;
+      for (int i = 0; i < 3; ++i) {
+        triangle[i] = polygon[corners[piece[i]]];
+        surface.corner.push_back(static_cast<Index>(first[f] + corners[piece[i]]));
+      }
+      surface.triangles.push_back(triangle);
+      surface.face.push_back(static_cast<Index>(f));
+    }
+  }
+
+  // Diagonals pair within their polygon, the other edges over the whole mesh.
+  const std::size_t halfedges = 3 * surface.triangles.size();
+  surface.opposite.assign(halfedges, no_index);
+  const auto vertex = [&](Index h) { return surface.triangles[h / 3][h % 3]; };
+  const auto corner = [&](Index h) { return surface.corner[h]; };
+  std::vector<Index> candidates;
+  for (std::size_t t = 0; t < surface.triangles.size();) {
+    std::size_t end = t;
+    candidates.clear();
+    for (; end < surface.triangles.size() && surface.face[end] == surface.face[t]; ++end)
+      for (Index i = 0; i < 3; ++i)
+        candidates.push_back(static_cast<Index>(3 * end) + i);
+    if (end - t > 1)
+      internal::pair_halfedges(
+          candidates, corner, [&](Index h) { return corner(next_halfedge(h)); }, surface.opposite);
+    t = end;
+  }
+  const auto collect_open = [&] {
+    candidates.clear();
+    for (Index h = 0; h < halfedges; ++h)
+      if (surface.opposite[h] == no_index)
+        candidates.push_back(h);
+  };
+  collect_open();
+  internal::pair_halfedges(
+      candidates, vertex, [&](Index h) { return vertex(next_halfedge(h)); }, surface.opposite);
+  collect_open();
+  if (!candidates.empty()) {
+    const std::vector<Index> merged = internal::merge_equal_points(surface.points);
+    const auto place = [&](Index h) { return merged[vertex(h)]; };
+    internal::pair_halfedges(
+        candidates, place, [&](Index h) { return place(next_halfedge(h)); }, surface.opposite);
+  }
+  return surface;
+}
+
+} // namespace Atlas
+
+#endif

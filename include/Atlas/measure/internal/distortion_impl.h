@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_MEASURE_INTERNAL_DISTORTION_IMPL_H
+#define ATLAS_MEASURE_INTERNAL_DISTORTION_IMPL_H
+
+#include <Atlas/measure/distortion.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace Atlas {
+
+ATLAS_INLINE Triangle_distortion triangle_distortion(const std::array<Point_3, 3>& p,
+                                                     const std::array<Point_2, 3>& q)
+{
+  Triangle_distortion result;
+  const Vector_3 e1 = p[1] - p[0], e2 = p[2] - p[0];
+  const Vector_2 d1 = q[1] - q[0], d2 = q[2] - q[0];
+  const double determinant = d1.x() * d2.y() - d1.y() * d2.x();
+  result.area_3d = std::sqrt(CGAL::cross_product(e1, e2).squared_length()) / 2;
+  result.area_uv = std::abs(determinant) / 2;
+  if (determinant == 0 || result.area_3d == 0)
+    return result;
+  const Vector_3 s = (d2.y() * e1 - d1.y() * e2) / determinant;
+  const Vector_3 t = (d1.x() * e2 - d2.x() * e1) / determinant;
+  const double a = s * s, b = s * t, c = t * t;
+  result.largest = std::sqrt((a + c + std::hypot(a - c, 2 * b)) / 2);
+  result.smallest = result.area_3d / result.area_uv / result.largest;
+  return result;
+}
+
+ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion> measured)
+{
+  Distortion d;
+  for (const Triangle_distortion& t : measured)
+    if (t.is_measurable()) {
+      ++d.triangles;
+      d.area_3d += t.area_3d;
+      d.area_uv += t.area_uv;
+    }
+  if (d.triangles == 0)
+    return d;
+  const double g2 = d.area_uv / d.area_3d, g = std::sqrt(g2);
+  double l2 = 0, qc = 0, angle = 0, area = 0, dirichlet = 0;
+  std::vector<std::pair<double, double>> ratios; // (r, weight)
+  ratios.reserve(d.triangles);
+  d.linf_stretch = 0;
+  for (const Triangle_distortion& t : measured) {
+    if (!t.is_measurable())
+      continue;
+    const double w = t.area_3d / d.area_3d, s1 = g * t.largest, s2 = g * t.smallest;
+    const double r = t.area_uv / t.area_3d / g2,
+                 energy = (s1 * s1 + s2 * s2 + 1 / (s1 * s1) + 1 / (s2 * s2)) / 4;
+    l2 += w * (s1 * s1 + s2 * s2) / 2;
+    qc += w * s1 / s2;
+    angle += w * (2 * std::atan(s1 / s2) * 180 / CGAL_PI - 90);
+    area += w * std::max(r, 1 / r);
+    dirichlet += w * energy;
+    d.linf_stretch = std::max(d.linf_stretch, s1);
+    d.quasi_conformal_max = std::max(d.quasi_conformal_max, s1 / s2);
+    d.symmetric_dirichlet_max = std::max(d.symmetric_dirichlet_max, energy);
+    ratios.emplace_back(r, w);
+  }
+  d.l2_stretch = std::sqrt(l2);
+  d.quasi_conformal_mean = qc;
+  d.angle_mean = angle;
+  d.area_mean = area;
+  d.symmetric_dirichlet_mean = dirichlet;
+
+  std::sort(ratios.begin(), ratios.end());
+  d.area_min = ratios.front().first;
+  d.area_max = ratios.back().first;
+  const auto quantile = [&](double q) {
+    double sum = 0;
+    for (const auto& [r, w] : ratios)
+      if ((sum += w) >= q)
+        return r;
+    return ratios.back().first;
+  };
+  d.area_p1 = quantile(0.01);
+  d.area_p5 = quantile(0.05);
+  d.area_p95 = quantile(0.95);
+  d.area_p99 = quantile(0.99);
+  return d;
+}
+
+ATLAS_INLINE std::vector<Triangle_distortion> triangle_distortions(const Chart& chart)
+{
+  std::vector<Triangle_distortion> result;
+  result.reserve(chart.number_of_triangles());
+  for (const auto& [a, b, c] : chart.triangles)
+    result.push_back(triangle_distortion({chart.points[a], chart.points[b], chart.points[c]},
+                                         {chart.uv[a], chart.uv[b], chart.uv[c]}));
+  return result;
+}
+
+ATLAS_INLINE Distortion measure_distortion(const Chart& chart)
+{
+  return summarize_distortion(triangle_distortions(chart));
+}
+
+ATLAS_INLINE Distortion measure_distortion(std::span<const Chart> charts)
+{
+  std::vector<Triangle_distortion> all;
+  for (const Chart& chart : charts) {
+    const std::vector<Triangle_distortion> part = triangle_distortions(chart);
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return summarize_distortion(all);
+}
+
+ATLAS_INLINE double value(const Distortion& d, Distortion_measure measure)
+{
+  if (d.triangles == 0)
+    return std::numeric_limits<double>::infinity();
+  switch (measure) {
+  case Distortion_measure::symmetric_dirichlet:
+    return d.symmetric_dirichlet_mean;
+  case Distortion_measure::l2_stretch:
+    return d.l2_stretch;
+  case Distortion_measure::linf_stretch:
+    return d.linf_stretch;
+  case Distortion_measure::area_ratio:
+    return d.area_max / d.area_min;
+  case Distortion_measure::area_ratio_quantiles:
+    return d.area_p99 / d.area_p1;
+  case Distortion_measure::quasi_conformal:
+    return d.quasi_conformal_mean;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+} // namespace Atlas
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_PRESETS_IMPL_H
+#define ATLAS_PIPELINE_INTERNAL_PRESETS_IMPL_H
+
+#include <Atlas/packing/Raster_packer.h>
+#include <Atlas/parameterization/Bijective_parameterizer.h>
+#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/pipeline/presets.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
+#include <Atlas/segmentation/Variational_segmentation.h>
+#include <Atlas/validation/Culprit_splitter.h>
+#include <Atlas/validation/Exact_validator.h>
+
+#include <limits>
+
+namespace Atlas {
+
+namespace internal {
+
+/// How trial flattenings end: the decision to merge needs no more digits.
+inline constexpr int default_trial_iterations = 8;
+inline constexpr double default_trial_tolerance = 1e-3;
+
+/// Whether charts are optimised in a mode.
+inline Finish finish(Atlas_mode mode)
+{
+  return mode == Atlas_mode::conformal ? Finish::as_it_is : Finish::low_distortion;
+}
+
+/// The bound on densities that goes with options for merging; infinite where wishes go before.
+inline double max_density_ratio(const Merge_options& options)
+{
+  if (options.max_charts > 0 || options.min_chart_area > 0)
+    return std::numeric_limits<double>::infinity();
+  const bool is_bounded = options.measure == Distortion_measure::area_ratio ||
+                          options.measure == Distortion_measure::area_ratio_quantiles;
+  return is_bounded ? options.max_distortion : default_density_ratio;
+}
+
+/// How unions of charts are flattened for trial.
+inline Any_parameterizer trial_parameterizer(Finish finish)
+{
+  Distortion_options options;
+  options.max_iterations = default_trial_iterations;
+  options.tolerance = default_trial_tolerance;
+  return Bijective_parameterizer<>(finish, options);
+}
+
+} // namespace internal
+
+ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
+{
+  switch (mode) {
+  case Atlas_mode::few_seams:
+    return few_seams_options();
+  case Atlas_mode::conformal:
+    return conformal_options();
+  case Atlas_mode::standard:
+    break;
+  }
+  return Merge_options();
+}
+
+ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
+{
+  const Finish finish = internal::finish(mode);
+  const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
+  return {Merged_segmentation(Variational_segmentation(), internal::trial_parameterizer(finish),
+                              Identity_optimizer(), options),
+          Bijective_parameterizer<>(finish),
+          Identity_optimizer(),
+          Exact_validator(internal::max_density_ratio(options), quantile),
+          Culprit_splitter(quantile),
+          Raster_packer()};
+}
+
+} // namespace Atlas
+
+#endif

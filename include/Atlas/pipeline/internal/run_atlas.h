@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_H
+#define ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_H
+
+#include <Atlas/core/Packing.h>
+#include <Atlas/core/Stage.h>
+#include <Atlas/core/library.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/presets.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// What the caller of the pipeline hears: the stage and its fraction in [0, 1]; `false` cancels.
+using Progress = std::function<bool(Stage, double)>;
+
+/// What a run is asked for: what the named parameters say, with policies where they are given.
+struct Atlas_request
+{
+  Page_options page;
+  Atlas_mode mode = Atlas_mode::standard;
+  std::optional<Merge_options> merge_options;
+  std::optional<std::size_t> max_charts;
+  double min_chart_texels = 0;
+  double hard_angle = 0; ///< degrees; 0: none
+  unsigned threads = 0;
+  Progress progress;
+
+  std::optional<Any_segmentation> segmentation;
+  std::optional<Any_parameterizer> parameterizer;
+  std::optional<Any_optimizer> optimizer;
+  std::optional<Any_validator> validator;
+  std::optional<Any_splitter> splitter;
+  std::optional<Any_packer> packer;
+};
+
+/// Makes the atlas. Everything about the request and the surface that can be wrong is checked before any
+/// work.
+///
+/// \param corner_uv  per input corner; untouched when there is no atlas
+/// \throws Invalid_argument, Policy_error
+Atlas_report run_atlas(const Surface& surface, const Atlas_request& request, std::vector<Point_2>& corner_uv);
+
+} // namespace Atlas::internal
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/pipeline/internal/run_atlas_impl.h>
+#endif
+
+#endif

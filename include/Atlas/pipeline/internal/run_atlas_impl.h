@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_IMPL_H
+#define ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_IMPL_H
+
+#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/core/internal/check_surface.h>
+#include <Atlas/pipeline/internal/Atlas_pipeline.h>
+#include <Atlas/pipeline/internal/run_atlas.h>
+
+#include <cmath>
+
+namespace Atlas::internal {
+
+/// The share of a page that charts cover as a rule.
+inline constexpr double usual_packing_efficiency = 0.6;
+
+/// When charts merge, as the request says.
+inline Merge_options merge_options_of(const Atlas_request& request)
+{
+  Merge_options options = request.merge_options.value_or(merge_options(request.mode));
+  options.max_charts = request.max_charts.value_or(options.max_charts);
+  if (request.min_chart_texels > 0)
+    options.min_chart_area = request.min_chart_texels /
+                             (usual_packing_efficiency * double(request.page.width) * request.page.height);
+  return options;
+}
+
+/// A segmentation that is given merges as it likes: who asks for something else too would not get it.
+inline void check_wishes(const Atlas_request& request)
+{
+  if (!request.segmentation)
+    return;
+  const char* reason = "speaks to the default segmentation, but another one is given; give it to that one";
+  require(!request.merge_options, "merge_options", reason);
+  require(!request.max_charts, "max_charts", reason);
+  require(request.min_chart_texels == 0, "min_chart_texels", reason);
+}
+
+/// The policies of the mode, and those that are given in their place.
+inline Policies policies_of(const Atlas_request& request)
+{
+  Policies policies = preset(request.mode, merge_options_of(request));
+  policies.segmentation = request.segmentation.value_or(policies.segmentation);
+  policies.parameterizer = request.parameterizer.value_or(policies.parameterizer);
+  policies.optimizer = request.optimizer.value_or(policies.optimizer);
+  policies.validator = request.validator.value_or(policies.validator);
+  policies.splitter = request.splitter.value_or(policies.splitter);
+  policies.packer = request.packer.value_or(policies.packer);
+  return policies;
+}
+
+ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
+                                    std::vector<Point_2>& corner_uv)
+{
+  check_surface(surface);
+  check(request.page);
+  require(request.hard_angle >= 0 && request.hard_angle <= 180, "hard_angle", "must be in (0, 180] degrees");
+  require(std::isfinite(request.min_chart_texels) && request.min_chart_texels >= 0, "min_chart_texels",
+          "must be finite and not negative");
+  check_wishes(request);
+  const Policies policies = policies_of(request);
+  if (!(request.hard_angle > 0))
+    return Atlas_pipeline(surface, policies, request.page, request.threads, request.progress).run(corner_uv);
+  Surface with_hard_edges = surface;
+  constrain_hard_edges(with_hard_edges, request.hard_angle);
+  return Atlas_pipeline(with_hard_edges, policies, request.page, request.threads, request.progress)
+      .run(corner_uv);
+}
+
+} // namespace Atlas::internal
+
+#endif
