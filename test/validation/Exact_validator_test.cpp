@@ -3,6 +3,8 @@
 #include <Atlas/pipeline/internal/round_coordinates.h>
 #include <Atlas/validation/Culprit_splitter.h>
 #include <Atlas/validation/Exact_validator.h>
+#include <Atlas/validation/internal/chart_faults.h>
+#include <Atlas/validation/internal/split_chart.h>
 
 #include "test_meshes.h"
 #include <gtest/gtest.h>

@@ -2,6 +2,8 @@
 #ifndef ATLAS_CORE_MESH_CONCEPTS_H
 #define ATLAS_CORE_MESH_CONCEPTS_H
 
+#include <Atlas/core/Surface.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
@@ -20,7 +22,8 @@ namespace Atlas {
 /// \brief CGAL's `FaceListGraph`, as far as Atlas uses it: faces, their halfedges, vertices.
 /// `CGAL::Surface_mesh` and `CGAL::Polyhedron_3` are models, and so is any graph with these functions.
 template <typename Mesh>
-concept FaceListMesh = requires(const Mesh& mesh, typename boost::graph_traits<Mesh>::vertex_descriptor v,
+concept FaceListMesh = std::is_class_v<Mesh> && !std::is_same_v<Mesh, Surface> &&
+                       requires(const Mesh& mesh, typename boost::graph_traits<Mesh>::vertex_descriptor v,
                                 typename boost::graph_traits<Mesh>::halfedge_descriptor h,
                                 typename boost::graph_traits<Mesh>::edge_descriptor e,
                                 typename boost::graph_traits<Mesh>::face_descriptor f)
