@@ -3,6 +3,8 @@
 #define ATLAS_SOUP_ORIENT_FACES_H
 
 #include <Atlas/core/build_surface.h>
+#include <Atlas/core/internal/equal_points.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/soup/Polygon_soup.h>
 
 #include <algorithm>
