@@ -2,7 +2,8 @@
 #ifndef ATLAS_TEST_SHORT_RASTER_PACKER_H
 #define ATLAS_TEST_SHORT_RASTER_PACKER_H
 
-#include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/Page_packer.h>
+#include <Atlas/packing/internal/raster/raster_layout.h>
 
 #include <span>
 
@@ -19,10 +20,7 @@ struct Short_raster_packer
     budget.searches = 2;
     budget.round = 400'000;
     budget.rounds = rounds;
-    const auto layout = [&](const auto& outlines, const auto& one, double most_scale, const auto& e) {
-      return internal::raster_layout(outlines, one, budget, most_scale, e);
-    };
-    return internal::pack_pages(charts, page, layout, execution);
+    return Page_packer(internal::Raster_engine{budget}).pack(charts, page, execution);
   }
 };
 

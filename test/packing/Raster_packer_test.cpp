@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/pack_charts.h>
 #include <Atlas/packing/packing_clearance.h>
@@ -317,7 +318,18 @@ TEST(Page_options, uses_free_pages_beside_locked_charts)
   EXPECT_GT(packing.density, 40); // diagonals stand upright
 }
 
-/// Counts what is asked of the engine of `Page_filler`, which is the horizon's.
+/// The engine of the horizon that counts what is asked of it.
+struct Counting_engine
+{
+  int* attempts;
+
+  std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const
+  {
+    ++*attempts;
+    return Horizon_packer().lay_out(task, execution);
+  }
+};
+
 TEST(Page_options, fills_many_pages_with_few_attempts)
 {
   for (const Index height : {64u, 150u}) {
@@ -325,13 +337,7 @@ TEST(Page_options, fills_many_pages_with_few_attempts)
     Page_options page{64, height, 1};
     page.density = 15;
     int attempts = 0;
-    const auto counted = [&](const auto& outlines, const auto& one, double most_scale,
-                             const auto& execution) {
-      ++attempts;
-      return internal::horizon_layout(outlines, one, internal::Horizon_source::outline, most_scale,
-                                      execution);
-    };
-    const Packing packing = internal::pack_pages(charts, page, counted, Execution(1));
+    const Packing packing = Page_packer(Counting_engine{&attempts}).pack(charts, page, Execution(1));
     EXPECT_DOUBLE_EQ(packing.density, 15);
     EXPECT_GT(packing.number_of_pages, 15u);
     EXPECT_LT(attempts, 3.5 * packing.number_of_pages);

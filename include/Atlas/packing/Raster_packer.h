@@ -3,9 +3,11 @@
 #define ATLAS_PACKING_RASTER_PACKER_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/packing/internal/pages/pack_pages.h>
-#include <Atlas/packing/internal/raster/raster_layout.h>
+#include <Atlas/core/library.h>
+#include <Atlas/packing/Page_engine.h>
 
+#include <cstddef>
+#include <optional>
 #include <span>
 
 namespace Atlas {
@@ -34,45 +36,31 @@ inline constexpr std::size_t max_charts_of_fast_search = 5000;
 /// Deterministic: the effort is counted in operations, not in seconds, and does not depend on the number of
 /// threads.
 ///
-/// Models `ChartPacker`.
+/// Locked charts take part in all steps as obstacles that do not move.
+///
+/// Models `ObstaclePageEngine` and, by `Page_packer`, `ChartPacker`.
 class Raster_packer
 {
 public:
+  static constexpr bool heeds_obstacles = true;
+
   explicit Raster_packer(Packing_effort effort = Packing_effort::fast) : effort_(effort) {}
 
-  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
-  {
-    const auto layout = [this](const internal::Outlines& outlines, const Page_options& one, double most_scale,
-                               const Execution& e) {
-      return internal::raster_layout(outlines, one, budget(), most_scale, e);
-    };
-    return internal::pack_pages(charts, page, layout, execution);
-  }
+  std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
+
+  /// \throws Invalid_argument \see `Page_packer::pack()`
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const;
 
 private:
-  internal::Search_budget budget() const
-  {
-    internal::Search_budget result;
-    switch (effort_) {
-    case Packing_effort::fast:
-      result.rounds = 1;
-      result.max_charts = max_charts_of_fast_search;
-      break;
-    case Packing_effort::normal:
-      result.rounds = 5;
-      break;
-    case Packing_effort::best:
-      result.rounds = 48;
-      break;
-    }
-    return result;
-  }
-
   Packing_effort effort_;
 };
 
-static_assert(ChartPacker<Raster_packer>);
+static_assert(ObstaclePageEngine<Raster_packer> && ChartPacker<Raster_packer>);
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/packing/internal/raster/Raster_packer_impl.h>
+#endif
 
 #endif

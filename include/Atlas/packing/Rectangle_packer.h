@@ -3,9 +3,10 @@
 #define ATLAS_PACKING_RECTANGLE_PACKER_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/packing/internal/horizon/horizon_layout.h>
-#include <Atlas/packing/internal/pages/pack_pages.h>
+#include <Atlas/core/library.h>
+#include <Atlas/packing/Page_engine.h>
 
+#include <optional>
 #include <span>
 
 namespace Atlas {
@@ -16,22 +17,22 @@ namespace Atlas {
 /// each is put where the space lost below it is least. The simplest packer, for comparison. Same guarantees
 /// as `Horizon_packer`.
 ///
-/// Models `ChartPacker`.
+/// Models `PageEngine` and, by `Page_packer`, `ChartPacker`.
 class Rectangle_packer
 {
 public:
-  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const
-  {
-    const auto layout = [](const internal::Outlines& outlines, const Page_options& one, double most_scale,
-                           const Execution& e) {
-      return internal::horizon_layout(outlines, one, internal::Horizon_source::rectangle, most_scale, e);
-    };
-    return internal::pack_pages(charts, page, layout, execution);
-  }
+  std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
+
+  /// \throws Invalid_argument \see `Page_packer::pack()`
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const;
 };
 
-static_assert(ChartPacker<Rectangle_packer>);
+static_assert(PageEngine<Rectangle_packer> && ChartPacker<Rectangle_packer>);
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/packing/internal/horizon/Rectangle_packer_impl.h>
+#endif
 
 #endif

@@ -27,7 +27,7 @@ inline void require_not_negative(double value, const char* argument)
     throw Invalid_argument(argument, "must be finite and not negative, but is " + std::to_string(value));
 }
 
-inline bool is_finite(const Placement& p)
+inline bool is_finite_place(const Placement& p)
 {
   return std::isfinite(p.a) && std::isfinite(p.b) && std::isfinite(p.x) && std::isfinite(p.y);
 }
@@ -39,11 +39,11 @@ inline void check_lists(const Page_options& page)
     if (!(weight > 0 && std::isfinite(weight)))
       throw Invalid_argument("weights", "must be positive and finite, but one is " + std::to_string(weight));
   for (const Placement& place : page.places_in_group)
-    require(is_finite(place) && !(place.a == 0 && place.b == 0), "places_in_group",
+    require(is_finite_place(place) && !(place.a == 0 && place.b == 0), "places_in_group",
             "must be finite, with a scale that is not 0");
   for (const std::optional<Placement>& place : page.locked)
     if (place) {
-      require(is_finite(*place), "locked", "must be finite places");
+      require(is_finite_place(*place), "locked", "must be finite places");
       require(place->page != no_index, "locked", "must be on pages that have a number");
     }
 }

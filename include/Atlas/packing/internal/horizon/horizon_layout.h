@@ -3,6 +3,7 @@
 #define ATLAS_PACKING_INTERNAL_HORIZON_HORIZON_LAYOUT_H
 
 #include <Atlas/packing/internal/horizon/horizon.h>
+#include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/scale_search.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 #include <Atlas/planar/internal/convex_hull.h>
@@ -11,18 +12,9 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace Atlas::internal {
-
-/// Where each outline of a set is, at one scale.
-struct Layout
-{
-  double scale = 0;
-  double margin = 0; ///< what every chart was grown by
-  std::vector<Vec2> turns, positions;
-};
 
 /// What the horizon of a chart is taken from.
 enum class Horizon_source { outline, rectangle };
@@ -64,13 +56,9 @@ inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source 
   return turns;
 }
 
-/// The layout of the paper's section 4 at the largest scale that fits the page, at most `most_scale`; nothing
-/// if even points without a gutter do not.
-inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_options& page,
-                                            Horizon_source source, double most_scale,
-                                            const Execution& execution)
+/// The numbers of outlines, those that are highest after their turns first.
+inline std::vector<Index> by_height(const Outlines& outlines, const std::vector<Vec2>& turns)
 {
-  const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
   std::vector<double> heights(outlines.size(), 0.0);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     double low = 0, high = 0;
@@ -83,7 +71,16 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
   std::vector<Index> order(outlines.size());
   std::iota(order.begin(), order.end(), Index(0));
   std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return heights[i] > heights[j]; });
+  return order;
+}
 
+/// The layout of the paper's section 4 at the largest scale that fits the page, at most the one wanted;
+/// nothing if even points without a gutter do not. Obstacles are not looked at.
+inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_task& page,
+                                            Horizon_source source, const Execution& execution)
+{
+  const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
+  const std::vector<Index> order = by_height(outlines, turns);
   std::vector<Horizon_shape> shapes(outlines.size());
   const auto attempt = [&](double scale, double margin) -> std::optional<Layout> {
     Layout layout{scale, margin, turns, std::vector<Vec2>(outlines.size())};
@@ -107,7 +104,7 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
   };
   // Thousands of charts on a large page are not worth ten attempts.
   const double precision = double(outlines.size()) * page.width > 1e7 ? 5e-3 : 1e-3;
-  return search_scale(outlines, page, most_scale, precision, attempt);
+  return search_scale(outlines, page, precision, attempt);
 }
 
 } // namespace Atlas::internal

@@ -2,15 +2,13 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_OBSTACLE_LAYOUT_H
 #define ATLAS_PACKING_INTERNAL_PAGES_OBSTACLE_LAYOUT_H
 
-#include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/Packing.h>
-#include <Atlas/packing/internal/horizon/horizon_layout.h>
+#include <Atlas/packing/Page_engine.h>
+#include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/scale_search.h>
 #include <Atlas/packing/internal/raster/Raster_builder.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 #include <Atlas/packing/internal/shapes/Packing_shape.h>
-#include <Atlas/packing/internal/shapes/chart_clearance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,59 +20,15 @@
 
 namespace Atlas::internal {
 
-/// The outlines of charts that stay where they are on a page, in texels.
-struct Obstacles
+/// So many cells the distance field of an obstacle has along its radius at most: obstacles may be much larger
+/// than the page.
+inline constexpr double most_cells_of_obstacle = 2048;
+
+/// How fine an obstacle is, when shapes are that fine.
+inline Shape_resolution obstacle_resolution(Shape_resolution resolution, const Outline& outline)
 {
-  std::vector<Outline> outlines;
-
-  void add(const Chart& chart, const Placement& placement)
-  {
-    Chart placed;
-    placed.triangles = chart.triangles;
-    for (const Point_2& p : chart.uv)
-      placed.uv.push_back(placement(p));
-    Outline outline;
-    outline.centre = extent_of(placed).centre;
-    build_outline(placed, 1, outline);
-    if (!outline.is_empty())
-      outlines.push_back(std::move(outline));
-  }
-
-  double area() const
-  {
-    return std::accumulate(outlines.begin(), outlines.end(), 0.0,
-                           [](double sum, const Outline& o) { return sum + o.area; });
-  }
-};
-
-/// Whether outlines keep twice the layout's margin from each other and from obstacles, and the margin from
-/// the border of the page. Obstacles are not checked against each other.
-inline bool keeps_margin(const Outlines& outlines, const Layout& layout, const Obstacles& obstacles,
-                         const Page_options& page)
-{
-  std::vector<Placed_outline> placed;
-  const auto place = [&](const Outline& outline, Vec2 r, Vec2 position) {
-    placed.push_back({&outline, {}});
-    for (const Vec2& p : outline.points)
-      placed.back().points.push_back(position + rotated(r, p));
-  };
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (outlines.charts[i].is_empty())
-      continue;
-    place(outlines.charts[i], layout.scale * layout.turns[i], layout.positions[i]);
-    for (const Vec2& p : placed.back().points)
-      if (std::min({p.x, p.y, page.width - p.x, page.height - p.y}) < layout.margin)
-        return false;
-  }
-  const std::size_t movable = placed.size();
-  for (const Outline& outline : obstacles.outlines)
-    place(outline, {1, 0}, outline.centre);
-  bool is_kept = true;
-  Chart_clearance(placed, 2 * layout.margin).search([&](Index i, Index j, double) {
-    is_kept = i >= movable && j >= movable;
-    return is_kept;
-  });
-  return is_kept;
+  resolution.cell = std::max(resolution.cell, outline.radius / most_cells_of_obstacle);
+  return resolution;
 }
 
 /// Packs charts around obstacles: on a raster, grown by so much that no rounding to pixels brings them too
@@ -82,7 +36,7 @@ inline bool keeps_margin(const Outlines& outlines, const Layout& layout, const O
 class Obstacle_packer
 {
 public:
-  Obstacle_packer(const Outlines& outlines, const Obstacles& obstacles, const Page_options& page,
+  Obstacle_packer(const Outlines& outlines, const Obstacles& obstacles, const Page_task& page,
                   const Execution& execution)
       : outlines_(&outlines), obstacles_(&obstacles), page_(&page), execution_(&execution)
   {
@@ -93,13 +47,15 @@ public:
     pixel_ = side / std::max(160.0, 9 * std::sqrt(static_cast<double>(numbers_.size())));
     const bool may_turn = page.rotation == Chart_rotation::any;
     turns_ = rotations(may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
-    const double scale = scale_bound(outlines, page);
+    const double scale = scale_bound(outlines.charts, page.width, page.height);
     shapes_.resize(numbers_.size());
     execution.for_each(shapes_.size(), [&](std::size_t i) {
       shapes_[i] = packing_shape(outlines.charts[numbers_[i]], resolution(scale), may_turn);
     });
-    for (const Outline& outline : obstacles.outlines)
-      obstacle_shapes_.push_back(packing_shape(outline, resolution(1), false));
+    for (const Outline& outline : obstacles.outlines) {
+      obstacle_shapes_.push_back(packing_shape(outline, obstacle_resolution(resolution(1), outline), false));
+      obstacle_centres_.push_back(outline.centre);
+    }
     order_.resize(shapes_.size());
     std::iota(order_.begin(), order_.end(), Index(0));
     std::stable_sort(order_.begin(), order_.end(),
@@ -113,14 +69,10 @@ public:
     // Half a diagonal of a pixel, what distances on a grid and simplified outlines err by.
     const double grown = margin + 0.9 * pixel_;
     Raster_frame frame(page_->width, page_->height, pixel_);
-    Shape_layout fixed{1, std::vector<Vec2>(obstacle_shapes_.size(), Vec2{1, 0}), {}};
-    for (const Outline& outline : obstacles_->outlines)
-      fixed.positions.push_back(outline.centre);
-    std::uint64_t work = 0;
-    draw_on_raster(frame, obstacle_shapes_, fixed, std::vector<bool>(obstacle_shapes_.size(), false), grown,
-                   work);
+    draw_obstacles(frame, obstacle_shapes_, obstacle_centres_, grown);
     const Raster_masks masks(shapes_, turns_, scale, frame.pixel, grown, *execution_);
     std::vector<Index> order = order_;
+    std::uint64_t work = 0;
     const auto found = build_on_raster(masks, frame, scale, order, 2, work);
     if (!found)
       return std::nullopt;
@@ -130,7 +82,7 @@ public:
       result.turns[numbers_[i]] = rotated(found->turns[i], shapes_[i].frame);
       result.positions[numbers_[i]] = found->positions[i];
     }
-    if (!keeps_margin(*outlines_, result, *obstacles_, *page_))
+    if (!keeps_margin(*outlines_, result, margin, *obstacles_, page_->width, page_->height))
       return std::nullopt;
     return result;
   }
@@ -148,22 +100,22 @@ private:
 
   const Outlines* outlines_;
   const Obstacles* obstacles_;
-  const Page_options* page_;
+  const Page_task* page_;
   const Execution* execution_;
   std::vector<Index> numbers_; ///< of the outlines that are not empty
   std::vector<Packing_shape> shapes_, obstacle_shapes_;
+  std::vector<Vec2> obstacle_centres_;
   std::vector<Vec2> turns_;
   std::vector<Index> order_;
   double pixel_ = 1;
 };
 
-/// The layout at the largest scale that is found, at most `most_scale`; none if there is no room at all.
+/// The layout at the largest scale that is found, at most the one wanted; none if there is no room at all.
 inline std::optional<Layout> obstacle_layout(const Outlines& outlines, const Obstacles& obstacles,
-                                             const Page_options& page, double most_scale,
-                                             const Execution& execution)
+                                             const Page_task& page, const Execution& execution)
 {
   Obstacle_packer packer(outlines, obstacles, page, execution);
-  return search_scale(outlines, page, most_scale, 0.002,
+  return search_scale(outlines, page, 0.002,
                       [&](double scale, double margin) { return packer.layout(scale, margin); });
 }
 

@@ -134,12 +134,6 @@ private:
     Motion_2 motion;
   };
 
-  static double weight_of(const Page_options& options, std::size_t i)
-  {
-    const double w = i < options.weights.size() ? options.weights[i] : 1;
-    return w > 0 && w < HUGE_VAL ? w : 1;
-  }
-
   void make_pieces(const Page_options& options)
   {
     members_.resize(original_.size());
@@ -149,24 +143,59 @@ private:
       const Index next = static_cast<Index>(pieces_.size());
       const auto [it, is_new] =
           group == no_index ? std::pair(piece_of_group.end(), true) : piece_of_group.try_emplace(group, next);
+      const double weight = options.weights.empty() ? 1 : options.weights[i];
       if (is_new) {
         pieces_.emplace_back();
         is_single_.push_back(group == no_index);
       }
       members_[i].piece = is_new ? next : it->second;
       // The charts of a group keep their mutual places, so they have the weight of the first.
-      members_[i].weight = is_new ? weight_of(options, i) : weight_of_piece_[it->second];
+      members_[i].weight = is_new ? weight : weight_of_piece_[it->second];
       if (is_new)
         weight_of_piece_.push_back(members_[i].weight);
-      append(original_[i], members_[i].weight, pieces_[members_[i].piece]);
     }
+    if (!options.places_in_group.empty())
+      set_places(options.places_in_group);
+    for (std::size_t i = 0; i < original_.size(); ++i)
+      append(original_[i], members_[i], pieces_[members_[i].piece]);
   }
 
-  static void append(const Chart& chart, double weight, Chart& piece)
+  /// Moves the charts of groups to their places, scaled so that each group keeps its area.
+  void set_places(const std::vector<Placement>& places)
+  {
+    std::vector<std::pair<double, double>> areas(pieces_.size()); // of the charts, and in their places
+    for (std::size_t i = 0; i < original_.size(); ++i) {
+      const double area = area_of(original_[i]);
+      areas[members_[i].piece].first += area;
+      areas[members_[i].piece].second += area * (places[i].a * places[i].a + places[i].b * places[i].b);
+    }
+    for (std::size_t i = 0; i < original_.size(); ++i)
+      if (Membership& m = members_[i]; !is_single_[m.piece]) {
+        const auto [area, area_in_place] = areas[m.piece];
+        const double scale = area_in_place > 0 ? std::sqrt(area / area_in_place) : 1;
+        const Vec2 factor{scale * places[i].a, scale * places[i].b};
+        const double size = length(factor);
+        m.motion = {(1 / size) * factor, (m.weight * scale) * Vec2{places[i].x, places[i].y},
+                    places[i].is_mirrored};
+        m.weight *= size;
+      }
+  }
+
+  static double area_of(const Chart& chart)
+  {
+    double area = 0;
+    for (const auto& [a, b, c] : chart.triangles)
+      area += CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]);
+    return std::abs(area);
+  }
+
+  static void append(const Chart& chart, const Membership& member, Chart& piece)
   {
     const Index base = static_cast<Index>(piece.uv.size());
-    for (const Point_2& p : chart.uv)
-      piece.uv.emplace_back(weight * p.x(), weight * p.y());
+    for (const Point_2& p : chart.uv) {
+      const Vec2 q = member.motion({member.weight * p.x(), member.weight * p.y()});
+      piece.uv.emplace_back(q.x, q.y);
+    }
     for (const auto& [a, b, c] : chart.triangles)
       piece.triangles.push_back({base + a, base + b, base + c});
   }

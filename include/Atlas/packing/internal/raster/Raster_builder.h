@@ -4,6 +4,7 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/packing/internal/raster/Raster_page.h>
+#include <Atlas/packing/internal/raster/raster_mask.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 #include <Atlas/packing/internal/shapes/Packing_shape.h>
 
@@ -12,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -22,78 +25,6 @@ struct Shape_layout
   double scale = 0;
   std::vector<Vec2> turns, positions;
 };
-
-/// The pixels of a grown, scaled and turned shape.
-///
-/// \param grow   every pixel whose centre is nearer than that is in, in texels
-/// \param pixel  its side in texels
-inline void make_mask(const Packing_shape& shape, double scale, Vec2 turn, double grow, double pixel,
-                      Raster_mask& mask, std::uint64_t& work)
-{
-  constexpr Index ring = Raster_mask::ring_width;
-  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (const Vec2& p : shape.hull) {
-    const Vec2 q = rotated(scale * turn, p);
-    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
-  }
-  // Distances of the pixels within the box of the grown shape and a ring around it.
-  const double around = std::max(grow, 0.0) + ring * pixel;
-  const double x0 = std::floor((low.x - around) / pixel), y0 = std::floor((low.y - around) / pixel);
-  const Index nx = static_cast<Index>(std::ceil((high.x + around) / pixel) - x0);
-  const Index ny = static_cast<Index>(std::ceil((high.y + around) / pixel) - y0);
-  std::vector<float> distances(std::size_t(nx) * ny);
-  const Vec2 back{turn.x / scale, -turn.y / scale};
-  const Vec2 step = rotated(back, {pixel, 0});
-  Index left = nx, right = 0, bottom = ny, top = 0, deepest = 0;
-  for (Index j = 0; j < ny; ++j) {
-    Vec2 p = rotated(back, pixel * Vec2{x0 + 0.5, y0 + 0.5 + j});
-    for (Index i = 0; i < nx; ++i, p = p + step) {
-      const float d = static_cast<float>(shape.field.estimate(p) * scale - grow);
-      distances[std::size_t(j) * nx + i] = d;
-      if (d < distances[deepest])
-        deepest = j * nx + i;
-      if (d < 0) {
-        left = std::min(left, i), right = std::max(right, i);
-        bottom = std::min(bottom, j), top = std::max(top, j);
-      }
-    }
-  }
-  work += 10 * std::uint64_t(nx) * ny;
-  if (left > right) { // smaller than a pixel, between the centres
-    distances[deepest] = -1;
-    left = right = deepest % nx;
-    bottom = top = deepest / nx;
-  }
-  mask.width = right - left + 1;
-  mask.height = top - bottom + 1;
-  mask.origin = {-x0 - left, -y0 - bottom};
-  mask.runs.clear();
-  mask.ring_pixels = 0;
-  const Index words = mask.ring_words();
-  mask.ring.assign(std::size_t(words) * (mask.height + 2 * ring), 0);
-  for (Index j = 0; j < mask.height + 2 * ring; ++j) {
-    Index begin = 0;
-    bool is_in = false;
-    for (Index i = 0; i < mask.width + 2 * ring; ++i) {
-      const Index x = left + i - ring, y = bottom + j - ring;
-      const float d = x < nx && y < ny ? distances[std::size_t(y) * nx + x] : HUGE_VALF;
-      if (d >= 0 && d < 1.6 * pixel) {
-        mask.ring[std::size_t(j) * words + i / 64] |= std::uint64_t(1) << (i % 64);
-        ++mask.ring_pixels;
-      }
-      if (d < 0 && !is_in)
-        begin = i;
-      if (d >= 0 && is_in)
-        mask.runs.push_back({j - ring, begin - ring, i - ring});
-      is_in = d < 0;
-    }
-  }
-  std::sort(mask.runs.begin(), mask.runs.end(), [](const auto& a, const auto& b) {
-    const Index l = a.end - a.begin, m = b.end - b.begin;
-    return l != m ? l > m : a.row != b.row ? a.row < b.row : a.begin < b.begin;
-  });
-}
 
 /// The turns that are tried: all multiples of a full turn by their number.
 inline std::vector<Vec2> rotations(Index n)
@@ -117,7 +48,7 @@ class Raster_masks
 public:
   /// \param pixel  side of a pixel at `scale`, in texels
   /// \param grow   what shapes are grown by, in texels
-  Raster_masks(const std::vector<Packing_shape>& shapes, std::vector<Vec2> turns, double scale, double pixel,
+  Raster_masks(std::span<const Packing_shape> shapes, std::vector<Vec2> turns, double scale, double pixel,
                double grow, const Execution& execution)
       : turns_(std::move(turns)), scale_(scale), pixel_(pixel), masks_(shapes.size() * turns_.size())
   {
@@ -241,37 +172,49 @@ inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, co
   return std::nullopt;
 }
 
-/// Fills a page with the shapes of a layout but for those left out.
-inline void draw_on_raster(Raster_frame& frame, const std::vector<Packing_shape>& shapes,
+/// Occupies the pixels of a grown shape; call `update()` of the page afterwards. Gives the number of pixels
+/// in its box, on the page or not.
+inline double draw_shape(Raster_frame& frame, const Packing_shape& shape, double scale, Vec2 turn,
+                         Vec2 position, double grow)
+{
+  const Vec2 at = position - frame.offset;
+  const Corners box = box_of(shape.hull, scale * turn, at);
+  const auto index = [&](double v) { return std::floor(v / frame.pixel); };
+  const double x0 = index(box.low.x - grow), x1 = index(box.high.x + grow), y0 = index(box.low.y - grow),
+               y1 = index(box.high.y + grow);
+  const Vec2 back{turn.x / scale, -turn.y / scale};
+  for (double y = std::max(y0, 0.0); y <= std::min(y1, frame.page.rows() - 1.0); ++y)
+    for (double x = std::max(x0, 0.0); x <= std::min(x1, frame.page.columns() - 1.0); ++x) {
+      const Vec2 p = frame.pixel * Vec2{x + 0.5, y + 0.5} - at;
+      if (shape.field.estimate(rotated(back, p)) * scale < grow)
+        frame.page.put_pixel(static_cast<Index>(x), static_cast<Index>(y));
+    }
+  return std::max(0.0, x1 - x0 + 1) * std::max(0.0, y1 - y0 + 1);
+}
+
+/// Occupies the pixels of grown obstacles, whose shapes are in texels.
+inline void draw_obstacles(Raster_frame& frame, std::span<const Packing_shape> shapes,
+                           std::span<const Vec2> centres, double grow)
+{
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    draw_shape(frame, shapes[i], 1, {1, 0}, centres[i], grow);
+  frame.page.update();
+}
+
+/// Puts the first shapes of a layout on a page, but for those left out.
+inline void draw_on_raster(Raster_frame& frame, std::span<const Packing_shape> shapes,
                            const Shape_layout& layout, const std::vector<bool>& is_left_out, double grow,
                            std::uint64_t& work)
 {
-  frame.page.clear();
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (is_left_out[i])
-      continue;
-    const Vec2 position = layout.positions[i] - frame.offset;
-    Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-    for (const Vec2& p : shapes[i].hull) {
-      const Vec2 q = position + rotated(layout.scale * layout.turns[i], p);
-      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-      high = {std::max(high.x, q.x), std::max(high.y, q.y)};
-    }
-    const auto index = [&](double v) { return static_cast<long long>(std::floor(v / frame.pixel)); };
-    const Vec2 back{layout.turns[i].x / layout.scale, -layout.turns[i].y / layout.scale};
-    for (long long y = index(low.y - grow); y <= index(high.y + grow); ++y)
-      for (long long x = index(low.x - grow); x <= index(high.x + grow); ++x) {
-        const Vec2 p = frame.pixel * Vec2{double(x) + 0.5, double(y) + 0.5} - position;
-        work += 10;
-        if (shapes[i].field.estimate(rotated(back, p)) * layout.scale < grow)
-          frame.page.put_pixel(x, y);
-      }
-  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (!is_left_out[i])
+      work += 10 * static_cast<std::uint64_t>(draw_shape(frame, shapes[i], layout.scale, layout.turns[i],
+                                                         layout.positions[i], grow));
   frame.page.update();
 }
 
 /// Puts one shape on the page where it touches most; tells whether there is a place.
-inline bool insert_on_raster(Raster_frame& frame, const std::vector<Packing_shape>& shapes, Index i,
+inline bool insert_on_raster(Raster_frame& frame, const Packing_shape& shape, Index i,
                              const std::vector<Vec2>& turns, Vec2 twist, double grow, Shape_layout& layout,
                              std::uint64_t& work)
 {
@@ -279,7 +222,7 @@ inline bool insert_on_raster(Raster_frame& frame, const std::vector<Packing_shap
   Raster_page::Place best;
   for (const Vec2& turn : turns) {
     const Vec2 t = rotated(twist, turn);
-    make_mask(shapes[i], layout.scale, t, grow, frame.pixel, mask, work);
+    make_mask(shape, layout.scale, t, grow, frame.pixel, mask, work);
     if (const auto found = frame.page.search(mask, 0, frame.page.rows(), best.score, work)) {
       best = *found;
       layout.turns[i] = t;

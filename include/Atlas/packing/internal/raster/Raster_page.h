@@ -82,12 +82,8 @@ public:
       update_windows(row);
   }
 
-  /// Occupies pixels of the page proper, which may lie outside; call `update()` afterwards.
-  void put_pixel(long long x, long long y)
-  {
-    if (x >= 0 && y >= 0 && x < columns() && y < rows())
-      set(static_cast<Index>(x) + border, static_cast<Index>(y) + border);
-  }
+  /// Occupies a pixel of the page proper; call `update()` afterwards.
+  void put_pixel(Index x, Index y) { set(x + border, y + border); }
   void update()
   {
     for (Index y = 0; y < rows_; ++y)

@@ -2,7 +2,11 @@
 #ifndef ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
 #define ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
 
+#include <Atlas/packing/Page_engine.h>
 #include <Atlas/packing/internal/horizon/horizon_layout.h>
+#include <Atlas/packing/internal/pages/Layout.h>
+#include <Atlas/packing/internal/pages/obstacle_layout.h>
+#include <Atlas/packing/internal/pages/page_task.h>
 #include <Atlas/packing/internal/search/Packing_search.h>
 
 #include <algorithm>
@@ -15,10 +19,10 @@
 
 namespace Atlas::internal {
 
-/// How long to search.
+/// How long to search. Work counts operations, so that a search takes the same course on every machine.
 struct Search_budget
 {
-  /// With more charts than this the horizon layout stays: a search takes tens of seconds then.
+  /// With more charts than this the first layout stays: a search takes tens of seconds then.
   std::size_t max_charts = std::numeric_limits<std::size_t>::max();
   unsigned searches = 4;            ///< side by side
   std::uint64_t round = 36'000'000; ///< operations of each search between two looks at the others
@@ -30,8 +34,8 @@ struct Search_budget
     return round * std::min<std::size_t>(shapes + 1, 6) / 6;
   }
 
-  /// Of thousands of shapes half the searches and rounds: one step of a search moves them all, and takes as
-  /// long as many rounds of others.
+  /// Of thousands of shapes one step of a search moves all, and takes as long as many rounds with few shapes:
+  /// they get half of the searches and rounds.
   unsigned searches_for(std::size_t shapes) const { return shapes > many_shapes ? searches / 2 : searches; }
   unsigned rounds_for(std::size_t shapes) const { return shapes > many_shapes ? (rounds + 1) / 2 : rounds; }
   static constexpr std::size_t many_shapes = 2000;
@@ -45,18 +49,69 @@ inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 /// A search whose scale is that much below the best one's has little hope to catch up.
 inline constexpr double most_lag = 0.012;
 
-/// The shapes of the outlines that are not empty, with resolutions that suit the page.
-inline Packing_problem packing_problem(const Outlines& outlines, const Page_options& page,
-                                       const Layout& fallback, const Execution& execution)
+/// The largest scale that layouts are likely to reach, by which shapes are made fine enough.
+inline double likely_scale(const Outlines& outlines, double side, double fallback)
+{
+  return std::min(std::sqrt(0.75 * side * side / outlines.area), 1.5 * fallback);
+}
+
+/// How fine shapes have to be at a scale, on a page with sides of that length.
+inline Shape_resolution search_resolution(const Packing_problem& problem, double side, double scale)
+{
+  Shape_resolution resolution;
+  resolution.tolerance = problem.tolerance / scale;
+  resolution.spacing = side / 256 / scale;
+  resolution.cell = side / 512 / scale;
+  resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
+  resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
+  return resolution;
+}
+
+/// Makes the shapes of all outlines; turns of the fallback become relative to their frames.
+inline void make_shapes(Packing_problem& problem, double side, double scale, const Execution& execution)
+{
+  const Shape_resolution resolution = search_resolution(problem, side, scale);
+  problem.shapes.resize(problem.outlines.size());
+  execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+    const Outline& outline = *problem.outlines[i];
+    if (i >= problem.movable) {
+      problem.shapes[i] = packing_shape(outline, obstacle_resolution(search_resolution(problem, side, 1), outline), false);
+      return;
+    }
+    problem.shapes[i] = packing_shape(outline, resolution, problem.may_turn);
+    Vec2& turn = problem.fallback.turns[i];
+    turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
+  });
+  if (problem.shapes.size() > max_shapes_of_exploration)
+    return;
+  problem.coarse.resize(problem.shapes.size());
+  execution.for_each(problem.shapes.size(), [&](std::size_t i) {
+    const double unit = i < problem.movable ? scale : 1;
+    problem.coarse[i].build(problem.shapes[i], 0.007 * side / unit, 0.2 * side / unit, 48);
+  });
+  if (!problem.may_turn)
+    problem.allowed_turns = problem.turns;
+}
+
+/// What searches need to know: shapes of the outlines that are not empty, and of the obstacles, as fine as
+/// suits the page.
+inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles& obstacles,
+                                       const Page_task& page, const Layout& fallback,
+                                       const Execution& execution)
 {
   Packing_problem problem;
   problem.fallback.scale = fallback.scale;
+  const auto add = [&](const Outline& outline, Vec2 turn, Vec2 position) {
+    problem.outlines.push_back(&outline);
+    problem.fallback.turns.push_back(turn);
+    problem.fallback.positions.push_back(position);
+  };
   for (std::size_t i = 0; i < outlines.size(); ++i)
-    if (!outlines.charts[i].is_empty()) {
-      problem.outlines.push_back(&outlines.charts[i]);
-      problem.fallback.turns.push_back(fallback.turns[i]);
-      problem.fallback.positions.push_back(fallback.positions[i]);
-    }
+    if (!outlines.charts[i].is_empty())
+      add(outlines.charts[i], fallback.turns[i], fallback.positions[i]);
+  problem.movable = problem.outlines.size();
+  for (const Outline& outline : obstacles.outlines)
+    add(outline, {1, 0}, outline.centre);
   problem.width = page.width;
   problem.height = page.height;
   problem.gutter = 2 * fallback.margin;
@@ -65,34 +120,15 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Page_opti
   problem.turns = rotations(problem.may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
 
   const double side = std::sqrt(problem.width * problem.height);
-  const double scale = std::min(std::sqrt(0.75 * side * side / outlines.area), 1.5 * fallback.scale);
-  Shape_resolution resolution;
-  resolution.tolerance = problem.tolerance / scale;
-  resolution.spacing = side / 256 / scale;
-  resolution.cell = side / 512 / scale;
-  resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
-  resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
-  problem.shapes.resize(problem.outlines.size());
-  execution.for_each(problem.shapes.size(), [&](std::size_t i) {
-    problem.shapes[i] = packing_shape(*problem.outlines[i], resolution, problem.may_turn);
-    Vec2& turn = problem.fallback.turns[i]; // relative to the frame from now on
-    turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
-  });
-  if (problem.shapes.size() <= max_shapes_of_exploration) {
-    problem.coarse.resize(problem.shapes.size());
-    execution.for_each(problem.shapes.size(), [&](std::size_t i) {
-      problem.coarse[i].build(problem.shapes[i], 0.007 * side / scale, 0.2 * side / scale, 48);
-    });
-    if (!problem.may_turn)
-      problem.allowed_turns = problem.turns;
-  }
+  const double scale = likely_scale(outlines, side, fallback.scale);
+  make_shapes(problem, side, scale, execution);
   if (execution.is_cancelled())
     return problem;
   const std::vector<Vec2> turns = rotations(problem.may_turn                        ? 8
                                             : page.rotation == Chart_rotation::none ? 1
                                                                                     : 4);
-  problem.masks.emplace(problem.shapes, turns, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
-                        problem.grown(), execution);
+  problem.masks.emplace(problem.movables(), turns, scale,
+                        problem.pixel() * scale / problem.scale_of_share(0.8), problem.grown(), execution);
   return problem;
 }
 
@@ -132,21 +168,22 @@ inline Shape_layout search_layout(const Packing_problem& problem, const Search_b
   return winner->best();
 }
 
-/// The layout of the raster packer at the largest scale it finds, at most `most_scale`; that of the horizon
-/// packer where it finds none that is better.
-inline std::optional<Layout> raster_layout(const Outlines& outlines, const Page_options& page,
-                                           const Search_budget& budget, double most_scale,
+/// The layout of the raster packer at the largest scale it finds, at most the one wanted: that of the horizon
+/// packer, or around obstacles a simple one on a raster, unless the search finds a better one.
+inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obstacles& obstacles,
+                                           const Page_task& page, const Search_budget& budget,
                                            const Execution& execution)
 {
-  std::optional<Layout> result =
-      horizon_layout(outlines, page, Horizon_source::outline, most_scale, execution);
-  if (!result || !(outlines.area > 0) || result->scale >= most_scale || outlines.size() > budget.max_charts ||
-      execution.is_cancelled())
+  std::optional<Layout> result = obstacles.is_empty()
+                                     ? horizon_layout(outlines, page, Horizon_source::outline, execution)
+                                     : obstacle_layout(outlines, obstacles, page, execution);
+  if (!result || !(outlines.area > 0) || result->scale >= page.most_scale ||
+      outlines.size() > budget.max_charts || execution.is_cancelled())
     return result;
-  const Packing_problem problem = packing_problem(outlines, page, *result, execution);
+  const Packing_problem problem = packing_problem(outlines, obstacles, page, *result, execution);
   if (execution.is_cancelled())
     return result;
-  const Shape_layout found = search_layout(problem, budget, most_scale, execution);
+  const Shape_layout found = search_layout(problem, budget, page.most_scale, execution);
   if (found.scale <= result->scale)
     return result;
   result->scale = found.scale;
@@ -157,6 +194,19 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Page_
     }
   return result;
 }
+
+/// The page engine behind `Raster_packer`, with any budget.
+struct Raster_engine
+{
+  static constexpr bool heeds_obstacles = true;
+  Search_budget budget;
+
+  std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const
+  {
+    const Outlines outlines = outlines_of(task);
+    return page_layout(raster_layout(outlines, obstacles_of(task), task, budget, execution));
+  }
+};
 
 } // namespace Atlas::internal
 

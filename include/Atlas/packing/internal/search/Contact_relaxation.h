@@ -3,7 +3,8 @@
 #define ATLAS_PACKING_INTERNAL_SEARCH_CONTACT_RELAXATION_H
 
 #include <Atlas/packing/internal/raster/Raster_builder.h>
-#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/packing/internal/search/contacts.h>
+#include <Atlas/packing/internal/search/near_circles.h>
 #include <Atlas/packing/internal/shapes/Packing_shape.h>
 
 #include <algorithm>
@@ -17,25 +18,28 @@
 namespace Atlas::internal {
 
 /// What shapes may do while they are pushed apart.
-struct Elastic_options
+struct Relaxation_options
 {
   double width = 0, height = 0; ///< of the page in texels
   double gutter = 0;            ///< wanted between charts, in texels
   double border = 0;            ///< wanted to the border of the page
   double tolerance = 0.02;      ///< what the gutter may be violated by, in texels
   bool may_turn = true;
+  std::size_t obstacles = 0; ///< so many of the last shapes stay where they are, at scale 1
 };
 
 /// Shapes on a page that push each other and the border away until they keep the gutter.
 ///
-/// Border samples of one shape are looked up in the distance field of the other; where they come too near,
-/// both shapes move and turn apart, inversely to their masses (Gauss-Seidel over pairs). A pair is looked at
-/// again only when its shapes can have moved by what was free between them.
+/// Points along the border of one shape are looked up in the distance field of another. Where they are nearer
+/// than the gutter, both shapes are moved and turned by as much as is missing, the lighter one more, obstacles
+/// not at all. One pair follows the other (Gauss-Seidel), until no pair is too near. A pair whose shapes have
+/// moved by less than what was free between them cannot be, and is passed over.
 class Contact_relaxation
 {
 public:
-  Contact_relaxation(const std::vector<Packing_shape>& shapes, const Elastic_options& options)
-      : shapes_(&shapes), options_(options), travel_(shapes.size(), 0.0), extra_(shapes.size(), 0.0)
+  Contact_relaxation(const std::vector<Packing_shape>& shapes, const Relaxation_options& options)
+      : shapes_(&shapes), options_(options), movable_(shapes.size() - options.obstacles),
+        travel_(shapes.size(), 0.0), extra_(shapes.size(), 0.0)
   {}
 
   const Shape_layout& layout() const { return layout_; }
@@ -55,7 +59,7 @@ public:
   void move_to(const Shape_layout& target)
   {
     const double growth = std::abs(target.scale - layout_.scale);
-    for (std::size_t i = 0; i < travel_.size(); ++i) {
+    for (std::size_t i = 0; i < movable_; ++i) {
       const double radius = (*shapes_)[i].radius;
       travel_[i] += length(target.positions[i] - layout_.positions[i]) + radius * growth +
                     radius * target.scale * length(target.turns[i] - layout_.turns[i]);
@@ -66,7 +70,7 @@ public:
   void set_scale(double scale)
   {
     const double growth = std::abs(scale - layout_.scale);
-    for (std::size_t i = 0; i < travel_.size(); ++i)
+    for (std::size_t i = 0; i < movable_; ++i)
       travel_[i] += (*shapes_)[i].radius * growth;
     layout_.scale = scale;
   }
@@ -89,7 +93,7 @@ public:
       previous = layout_;
       update_pairs();
       double worst = 0, sum = 0;
-      for (Index i = 0; i < layout_.positions.size(); ++i)
+      for (Index i = 0; i < movable_; ++i)
         worst = std::max(worst, push_from_border(i));
       for (Pair& pair : pairs_)
         if (travel_[pair.i] + travel_[pair.j] >= pair.clear_until) {
@@ -120,35 +124,19 @@ private:
     double known_until = -1; ///< travel of both up to which no other samples than those of the lists can be
     std::vector<Index> samples_of_i = {}, samples_of_j = {}; ///< near the other shape
   };
-  struct Contact
-  {
-    Vec2 point, normal; ///< in texels; the normal points from shape j to shape i
-    double depth;       ///< how much of the gutter is missing
-  };
-  struct Motion
-  {
-    Vec2 shift;
-    double turn = 0;
 
-    double along(Vec2 n, Vec2 arm) const { return dot(shift, n) + turn * cross(arm, n); }
-    void push(Vec2 n, Vec2 arm, double inverse_mass, double inverse_inertia, double impulse)
-    {
-      shift = shift + (inverse_mass * impulse) * n;
-      turn += inverse_inertia * impulse * cross(arm, n);
-    }
-  };
-
-  double reach(Index i) const
+  double scale(Index i) const { return i < movable_ ? layout_.scale : 1; }
+  double reach(Index i) const { return (*shapes_)[i].radius * scale(i) + options_.gutter / 2 + extra_[i]; }
+  Contact_body body(Index i) const
   {
-    return (*shapes_)[i].radius * layout_.scale + options_.gutter / 2 + extra_[i];
-  }
-  double inverse_mass(Index i) const { return 1 / (*shapes_)[i].mass; }
-  double inverse_inertia(Index i) const
-  {
-    return options_.may_turn ? 1 / ((*shapes_)[i].inertia * layout_.scale * layout_.scale) : 0;
+    if (i >= movable_)
+      return {layout_.positions[i]};
+    const Packing_shape& shape = (*shapes_)[i];
+    return {layout_.positions[i], 1 / shape.mass,
+            options_.may_turn ? 1 / (shape.inertia * layout_.scale * layout_.scale) : 0};
   }
 
-  void apply(Index i, Motion m)
+  void apply(Index i, Contact_motion m)
   {
     const double most = 0.3 * reach(i), l = length(m.shift);
     if (l > most)
@@ -166,7 +154,7 @@ private:
   /// Repeats a part of the last motion of each shape.
   void coast(const Shape_layout& previous)
   {
-    for (Index i = 0; i < layout_.positions.size(); ++i) {
+    for (Index i = 0; i < movable_; ++i) {
       const Vec2 shift = layout_.positions[i] - previous.positions[i];
       const Vec2 a = previous.turns[i], b = layout_.turns[i];
       if (shift.x != 0 || shift.y != 0 || !(a == b))
@@ -185,7 +173,11 @@ private:
       if (is_current)
         return;
     }
-    const std::vector<std::pair<Index, Index>> near = near_shapes();
+    std::vector<double> radii(n);
+    for (Index i = 0; i < n; ++i)
+      radii[i] = reach(i) + skin(i);
+    const std::vector<std::pair<Index, Index>> near =
+        near_circles(layout_.positions, radii, options_.height, movable_);
     std::vector<Pair> pairs;
     pairs.reserve(near.size());
     std::size_t known = 0;
@@ -203,53 +195,19 @@ private:
   }
   double skin(Index i) const { return 0.1 * reach(i); }
 
-  /// The pairs whose circles with skin meet, in order: sweeps to the right, in horizontal strips of about the
-  /// height of a shape. A pair is found in the lowest strip that has both. Near-linear unless most shapes are
-  /// much larger than the others.
-  std::vector<std::pair<Index, Index>> near_shapes() const
-  {
-    const auto n = static_cast<Index>(layout_.positions.size());
-    const auto radius = [&](Index i) { return reach(i) + skin(i); };
-    const double strips = std::ceil(std::sqrt(n)), per_texel = strips / options_.height;
-    const auto strip_at = [&](double y) {
-      return static_cast<Index>(std::clamp(y * per_texel, 0.0, strips - 1));
-    };
-    const auto lowest = [&](Index i) { return strip_at(layout_.positions[i].y - radius(i)); };
-    std::vector<std::vector<std::pair<double, Index>>> by_left(static_cast<std::size_t>(strips));
-    for (Index i = 0; i < n; ++i)
-      for (Index k = lowest(i); k <= strip_at(layout_.positions[i].y + radius(i)); ++k)
-        by_left[k].emplace_back(layout_.positions[i].x - radius(i), i);
-    std::vector<std::pair<Index, Index>> result;
-    for (Index k = 0; k < by_left.size(); ++k) {
-      std::vector<std::pair<double, Index>>& strip = by_left[k];
-      std::sort(strip.begin(), strip.end());
-      for (std::size_t a = 0; a < strip.size(); ++a) {
-        const Index i = strip[a].second;
-        const double right = layout_.positions[i].x + radius(i);
-        for (std::size_t b = a + 1; b < strip.size() && strip[b].first <= right; ++b) {
-          const Index j = strip[b].second;
-          const Vec2 d = layout_.positions[i] - layout_.positions[j];
-          const double r = radius(i) + radius(j);
-          if (dot(d, d) <= r * r && std::max(lowest(i), lowest(j)) == k)
-            result.emplace_back(std::min(i, j), std::max(i, j));
-        }
-      }
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  /// How shape a lies in the frame of shape b.
+  /// How shape a lies in the frame of shape b, in the unit of b.
   struct Relation
   {
+    double unit; ///< of a, in that of b
     Vec2 turn, shift;
     Vec2 operator()(Vec2 p) const { return rotated(turn, p) + shift; }
   };
   Relation relation(Index a, Index b) const
   {
     const Vec2 back{layout_.turns[b].x, -layout_.turns[b].y};
-    return {rotated(back, layout_.turns[a]),
-            rotated((1 / layout_.scale) * back, layout_.positions[a] - layout_.positions[b])};
+    const double unit = scale(a) / scale(b);
+    return {unit, unit * rotated(back, layout_.turns[a]),
+            rotated((1 / scale(b)) * back, layout_.positions[a] - layout_.positions[b])};
   }
 
   /// Lists the samples of shape a that are nearer to shape b than `distance`, in texels.
@@ -258,11 +216,11 @@ private:
     list.clear();
     const Packing_shape &from = (*shapes_)[a], &to = (*shapes_)[b];
     const Relation place = relation(a, b);
-    const double horizon = distance / layout_.scale + 0.5 * to.field.cell();
+    const double horizon = distance / scale(b) + 0.5 * to.field.cell();
     for (Index k = 0; k < from.nodes.size();) {
       const auto& node = from.nodes[k];
       work_ += 12;
-      if (to.field.sample(place(node.centre)).distance - node.radius > horizon) {
+      if (to.field.sample(place(node.centre)).distance - place.unit * node.radius > horizon) {
         k = node.skip;
         continue;
       }
@@ -298,7 +256,7 @@ private:
     work_ += 12;
     double d = sample.distance;
     Vec2 normal{1, 0};
-    const double s = layout_.scale;
+    const double s = scale(b);
     if (sample.is_inside_grid && (d - to.field.cell()) * s < wanted) {
       const Segment_set::Closest q = to.field.closest(to.set, sample, p);
       const Vec2 away = p - q.point;
@@ -322,27 +280,6 @@ private:
       const Vec2 turn = layout_.turns[b];
       contacts_.push_back({layout_.positions[b] + rotated(s * turn, p), sign * rotated(turn, normal), depth});
     }
-  }
-
-  /// Keeps the deepest contact and up to three others that are away from each other.
-  void thin_contacts(double distance)
-  {
-    std::array<Contact, 4> kept;
-    std::size_t n = 0;
-    while (n < kept.size()) {
-      const Contact* deepest = nullptr;
-      for (const Contact& c : contacts_) {
-        bool is_apart = deepest == nullptr || c.depth > deepest->depth;
-        for (std::size_t k = 0; k < n && is_apart; ++k)
-          is_apart = length(c.point - kept[k].point) > distance;
-        if (is_apart)
-          deepest = &c;
-      }
-      if (!deepest)
-        break;
-      kept[n++] = *deepest;
-    }
-    contacts_.assign(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(n));
   }
 
   /// Resolves the deepest contacts of a pair together. Gives the depth of the deepest.
@@ -372,24 +309,14 @@ private:
       return 0;
     }
     pair.clear_until = -1;
-    thin_contacts(0.35 * std::min(reach(i), reach(j)));
-    const double mi = inverse_mass(i), mj = inverse_mass(j), ii = inverse_inertia(i), ij = inverse_inertia(j);
-    Motion a, b;
-    std::array<double, 4> impulses{};
-    for (int round = 0; round < 4; ++round)
-      for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        const Contact& c = contacts_[k];
-        const Vec2 ra = c.point - layout_.positions[i], rb = c.point - layout_.positions[j];
-        const double ca = cross(ra, c.normal), cb = cross(rb, c.normal);
-        const double missing = c.depth - a.along(c.normal, ra) + b.along(c.normal, rb);
-        const double before = impulses[k];
-        impulses[k] = std::max(0.0, before + missing / (mi + mj + ca * ca * ii + cb * cb * ij));
-        a.push(c.normal, ra, mi, ii, impulses[k] - before);
-        b.push(c.normal, rb, mj, ij, before - impulses[k]);
-      }
+    thin_contacts(contacts_, 0.35 * std::min(reach(i), reach(j)));
+    Contact_body a = body(i), b = body(j);
+    internal::push_apart(contacts_, a, b);
     const double deepest = contacts_.front().depth;
-    apply(i, a);
-    apply(j, b);
+    if (!a.is_fixed())
+      apply(i, a.motion);
+    if (!b.is_fixed())
+      apply(j, b.motion);
     return deepest;
   }
 
@@ -415,25 +342,19 @@ private:
           walls[k].point = q;
         }
     }
-    const double m = inverse_mass(i), n = inverse_inertia(i);
-    Motion motion;
+    Contact_body pushed = body(i);
+    push_from_walls(walls, pushed);
     double deepest = 0;
-    for (int round = 0; round < 3; ++round)
-      for (const Contact& c : walls)
-        if (c.depth > 0) {
-          deepest = std::max(deepest, c.depth);
-          const Vec2 arm = c.point - x;
-          const double k = cross(arm, c.normal), missing = c.depth - motion.along(c.normal, arm);
-          if (missing > 0)
-            motion.push(c.normal, arm, m, n, missing / (m + k * k * n));
-        }
+    for (const Contact& c : walls)
+      deepest = std::max(deepest, c.depth);
     if (deepest > 0)
-      apply(i, motion);
+      apply(i, pushed.motion);
     return deepest;
   }
 
   const std::vector<Packing_shape>* shapes_;
-  Elastic_options options_;
+  Relaxation_options options_;
+  std::size_t movable_; ///< shapes; the others are obstacles
   Shape_layout layout_;
   std::vector<double> travel_;    ///< upper bound of how far any point of the shape has moved, in texels
   std::vector<double> extra_;     ///< additional margin

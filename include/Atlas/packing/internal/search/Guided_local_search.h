@@ -24,6 +24,7 @@ struct Overlap_options
   double gutter = 0;            ///< wanted between shapes, in texels
   double border = 0;            ///< kept to the border of the page
   std::vector<Vec2> turns = {}; ///< those allowed; empty: any
+  std::size_t obstacles = 0;    ///< so many of the last shapes stay where they are, at scale 1
 };
 
 /// Looks for places of shapes on a page at a given scale by guided local search: shapes may overlap; one by
@@ -35,7 +36,8 @@ class Guided_local_search
 public:
   Guided_local_search(const std::vector<Coarse_shape>& shapes, const Overlap_options& options,
                       std::uint64_t seed)
-      : shapes_(&shapes), options_(options), random_(seed), weights_(shapes.size() * shapes.size(), 1.0f),
+      : shapes_(&shapes), options_(options), movable_(shapes.size() - options.obstacles),
+        obstacles_(options.obstacles), random_(seed), weights_(shapes.size() * shapes.size(), 1.0f),
         poses_(shapes.size())
   {}
 
@@ -47,8 +49,13 @@ public:
   double solve(Shape_layout& layout, int patience, std::uint64_t work_limit)
   {
     scale_ = layout.scale;
-    for (Index i = 0; i < poses_.size(); ++i)
-      poses_[i] = confined(i, {layout.positions[i], layout.turns[i], angle_of(layout.turns[i])});
+    for (std::size_t k = 0; k < obstacles_.size(); ++k) // in the unit that the others have at this scale
+      obstacles_[k] = (*shapes_)[movable_ + k].scaled(1 / scale_);
+    for (Index i = 0; i < poses_.size(); ++i) {
+      poses_[i] = {layout.positions[i], layout.turns[i], angle_of(layout.turns[i])};
+      if (i < movable_)
+        poses_[i] = confined(i, poses_[i]);
+    }
     std::fill(weights_.begin(), weights_.end(), 1.0f);
     double least = update_weights();
     std::vector<Pose> best = poses_;
@@ -62,7 +69,7 @@ public:
         best = poses_;
       }
     }
-    for (Index i = 0; i < best.size(); ++i) {
+    for (Index i = 0; i < movable_; ++i) {
       layout.positions[i] = best[i].position;
       layout.turns[i] = best[i].turn;
     }
@@ -88,6 +95,11 @@ private:
     double turn = 0;
   };
 
+  const Coarse_shape& shape(Index i) const
+  {
+    return i < movable_ ? (*shapes_)[i] : obstacles_[i - movable_];
+  }
+
   static Vec2 turn_by(double angle) { return {std::cos(2 * M_PI * angle), std::sin(2 * M_PI * angle)}; }
   static double angle_of(Vec2 turn) { return std::atan2(turn.y, turn.x) / (2 * M_PI); }
 
@@ -96,15 +108,15 @@ private:
   /// The pose moved onto the page, as far as there is room.
   Pose confined(Index i, Pose pose) const
   {
-    const Coarse_shape& shape = (*shapes_)[i];
+    const Coarse_shape& coarse = shape(i);
     const double angle = pose.angle, b = options_.border;
     const auto fit = [&](double x, double low, double high, double size) {
       const double l = b + scale_ * low, h = size - b - scale_ * high;
       return l <= h ? std::clamp(x, l, h) : 0.5 * (l + h);
     };
-    pose.position.x = fit(pose.position.x, shape.extent(0.5 - angle), shape.extent(-angle), options_.width);
+    pose.position.x = fit(pose.position.x, coarse.extent(0.5 - angle), coarse.extent(-angle), options_.width);
     pose.position.y =
-        fit(pose.position.y, shape.extent(0.75 - angle), shape.extent(0.25 - angle), options_.height);
+        fit(pose.position.y, coarse.extent(0.75 - angle), coarse.extent(0.25 - angle), options_.height);
     return pose;
   }
 
@@ -115,7 +127,7 @@ private:
   {
     const Pose& other = poses_[j];
     const Vec2 between = pose.position - other.position;
-    const double reach = ((*shapes_)[i].radius + (*shapes_)[j].radius) * scale_ + options_.gutter;
+    const double reach = (shape(i).radius + shape(j).radius) * scale_ + options_.gutter;
     ++work_;
     if (dot(between, between) >= reach * reach)
       return std::nullopt;
@@ -130,7 +142,7 @@ private:
   template <typename F>
   void for_each_disc_near(Index i, Index j, const Relation& r, F f)
   {
-    const Coarse_shape &a = (*shapes_)[i], &b = (*shapes_)[j];
+    const Coarse_shape &a = shape(i), &b = shape(j);
     const float wanted = gutter();
     for (const Coarse_shape::Cluster& cluster : a.clusters) {
       work_ += 5;
@@ -154,7 +166,7 @@ private:
     const std::optional<Relation> r = relation(i, pose, j);
     if (!r)
       return 0;
-    const Coarse_shape& b = (*shapes_)[j];
+    const Coarse_shape& b = shape(j);
     const float wanted = gutter();
     float sum = 0;
     for_each_disc_near(i, j, *r, [&](const Coarse_shape::Disc& disc, float x, float y) {
@@ -171,7 +183,7 @@ private:
     const std::optional<Relation> r = relation(i, pose, j);
     if (!r)
       return;
-    const Coarse_shape& b = (*shapes_)[j];
+    const Coarse_shape& b = shape(j);
     const float wanted = gutter();
     float sum = 0, dx = 0, dy = 0, turn = 0;
     for_each_disc_near(i, j, *r, [&](const Coarse_shape::Disc& disc, float x, float y) {
@@ -204,13 +216,13 @@ private:
   float core_loss(Index i, const Pose& pose)
   {
     const std::size_t n = poses_.size();
-    const Coarse_shape::Disc& disc = (*shapes_)[i].discs.front();
+    const Coarse_shape::Disc& disc = shape(i).discs.front();
     const Vec2 centre = pose.position + scale_ * rotated(pose.turn, {disc.x, disc.y});
     const float wanted = disc.radius + gutter();
     float sum = 0;
     work_ += 5 * n;
     for (Index j = 0; j < n; ++j) {
-      const Coarse_shape& other = (*shapes_)[j];
+      const Coarse_shape& other = shape(j);
       const Vec2 p = (1 / scale_) * (centre - poses_[j].position), turn = poses_[j].turn;
       const double reach = other.radius + wanted;
       if (j == i || dot(p, p) >= reach * reach)
@@ -251,7 +263,7 @@ private:
   /// A pose at most half the radius of the shape away, and half a radian.
   Pose nearby(Index i, const Pose& pose)
   {
-    const double reach = 0.5 * (*shapes_)[i].radius * scale_;
+    const double reach = 0.5 * shape(i).radius * scale_;
     Pose next = pose;
     next.position = next.position + reach * Vec2{2 * uniform() - 1, 2 * uniform() - 1};
     if (options_.turns.empty()) {
@@ -292,7 +304,7 @@ private:
   /// 1969); steps are shorter after one that gained nothing.
   void refine(Index i, std::pair<float, Pose>& best)
   {
-    const double arm = 0.7 * (*shapes_)[i].radius * scale_; // turning by a radian is as far as moving by that
+    const double arm = 0.7 * shape(i).radius * scale_; // turning by a radian is as far as moving by that
     const double longest = 0.06 * std::max(options_.width, options_.height);
     double share = 1;
     Gradient at = gradient(i, best.second);
@@ -321,7 +333,7 @@ private:
 
   void sweep()
   {
-    order_.resize(poses_.size());
+    order_.resize(movable_);
     for (Index i = 0; i < order_.size(); ++i)
       order_[i] = i;
     for (std::size_t k = order_.size(); k > 1; --k)
@@ -338,14 +350,14 @@ private:
     float most = 0;
     double sum = 0;
     for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < i; ++j) {
+      for (Index j = 0; j < std::min<std::size_t>(i, movable_); ++j) {
         const float d = depth(i, poses_[i], j, HUGE_VALF) + depth(j, poses_[j], i, HUGE_VALF);
         depths_[i * n + j] = d;
         most = std::max(most, d);
         sum += d;
       }
     for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < i; ++j) {
+      for (Index j = 0; j < std::min<std::size_t>(i, movable_); ++j) {
         const float d = depths_[i * n + j];
         float& w = weights_[i * n + j];
         w = d > 0 ? std::min(1e6f, w * (1.2f + 0.8f * d / most)) : std::max(1.0f, 0.95f * w);
@@ -356,6 +368,8 @@ private:
 
   const std::vector<Coarse_shape>* shapes_;
   Overlap_options options_;
+  std::size_t movable_;                 ///< shapes; the others are obstacles
+  std::vector<Coarse_shape> obstacles_; ///< in the unit of the shapes
   std::mt19937_64 random_;
   std::vector<float> weights_, depths_; ///< per pair
   std::vector<Pose> poses_;

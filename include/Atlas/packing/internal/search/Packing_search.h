@@ -5,8 +5,7 @@
 #include <Atlas/packing/internal/raster/Raster_builder.h>
 #include <Atlas/packing/internal/search/Contact_relaxation.h>
 #include <Atlas/packing/internal/search/Guided_local_search.h>
-#include <Atlas/packing/internal/shapes/Outline.h>
-#include <Atlas/packing/internal/shapes/Packing_shape.h>
+#include <Atlas/packing/internal/search/Packing_problem.h>
 #include <Atlas/packing/internal/shapes/chart_clearance.h>
 
 #include <algorithm>
@@ -21,78 +20,26 @@
 
 namespace Atlas::internal {
 
-/// What all searches of one packing have in common.
-struct Packing_problem
-{
-  std::vector<const Outline*> outlines; ///< of the shapes
-  std::vector<Packing_shape> shapes;
-  double width = 0, height = 0;
-  double gutter = 0;     ///< to be kept exactly
-  double tolerance = 0;  ///< of simplification, in texels
-  Shape_layout fallback; ///< layouts of a smaller scale are of no use
-  std::vector<Vec2> turns;
-  bool may_turn = true;
-  std::optional<Raster_masks> masks;
-  std::vector<Coarse_shape> coarse; ///< none with very many shapes
-  std::vector<Vec2> allowed_turns;  ///< empty: any
-
-  /// The scale at which the charts, grown by half the gutter, fill that share of the page.
-  double scale_of_share(double share) const
-  {
-    double a = 0, b = 0;
-    for (const Packing_shape& s : shapes) {
-      a += s.area;
-      b += s.perimeter * gutter / 2;
-    }
-    const double c = share * width * height;
-    double scale = a > 0 ? (std::sqrt(b * b + 4 * a * c) - b) / (2 * a) : c / std::max(b, 1e-300);
-    for (const Packing_shape& s : shapes)
-      if (s.radius > 0)
-        scale = std::min(scale, std::hypot(width, height) / s.radius);
-    return scale;
-  }
-
-  /// The side of a pixel: the finer the more shapes there are.
-  double pixel() const
-  {
-    const double count = std::max(120.0, 9 * std::sqrt(static_cast<double>(shapes.size())));
-    return std::max(std::sqrt(width * height) / count, gutter / 4);
-  }
-  /// What shapes are grown by on a raster: not enough to keep them apart for sure, relaxing does the rest.
-  double grown() const { return gutter / 2 + 0.5 * std::min({pixel(), width, height}); }
-
-  /// What pushing apart can mend.
-  double leniency() const { return 0.002 * std::sqrt(width * height); }
-
-  /// The outlines in their places.
-  std::vector<Placed_outline> placed(const Shape_layout& layout) const
-  {
-    std::vector<Placed_outline> result(shapes.size());
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      result[i].outline = outlines[i];
-      const Vec2 r = layout.scale * rotated(layout.turns[i], shapes[i].frame);
-      for (const Vec2& p : outlines[i]->points)
-        result[i].points.push_back(layout.positions[i] + rotated(r, p));
-    }
-    return result;
-  }
-};
-
-/// One search for a dense layout: built on a raster, relaxed, inflated; then shapes look for other places at
-/// larger scales, or the layout is torn down in part and rebuilt, again and again. Its course depends on its
-/// number only; the longer it runs the better it gets.
+/// One search for a dense layout.
+///
+/// `start()` places shapes on a raster, pushes them apart, and lets them grow as long as that succeeds. Then
+/// there are two ways to go on, each until a given number of operations have been done: `explore()` moves
+/// shapes to other places at a scale that is still too large, by their overlaps; `run()` takes a few shapes
+/// out, puts them elsewhere, and lets all grow anew. What a search does depends on the problem and on its
+/// number, by which its random choices differ from those of others; its best layout never gets worse.
 class Packing_search
 {
 public:
   Packing_search(const Packing_problem& problem, unsigned number)
       : problem_(&problem), number_(number), random_(1234567 + 7919 * number),
-        frame_(problem.width, problem.height, problem.pixel()),
+        empty_(problem.empty_page(problem.pixel())), frame_(empty_),
         elastic_(problem.shapes,
                  {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
-                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn}),
+                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn,
+                  problem.obstacles().size()}),
         overlap_(problem.coarse,
                  {problem.width, problem.height, problem.gutter - problem.leniency(),
-                  problem.gutter / 2 + problem.tolerance, problem.allowed_turns},
+                  problem.gutter / 2 + problem.tolerance, problem.allowed_turns, problem.obstacles().size()},
                  987654 + 104729 * number)
   {}
 
@@ -192,7 +139,7 @@ private:
   /// The order in which shapes are placed: each search has its own.
   std::vector<Index> order() const
   {
-    const auto& shapes = problem_->shapes;
+    const auto shapes = problem_->movables();
     std::vector<double> size(shapes.size());
     for (std::size_t i = 0; i < size.size(); ++i) {
       const Packing_shape& s = shapes[i];
@@ -212,11 +159,14 @@ private:
   {
     std::vector<Index> sequence = order();
     const Packing_problem& p = *problem_;
-    const int tries = p.shapes.size() <= 300 ? 2 : 1;
+    const int tries = p.movable <= 300 ? 2 : 1;
     double scale = std::min(p.scale_of_share(0.74), 1.45 * p.fallback.scale);
     const auto attempt = [&](double s) {
-      return build_on_raster(*p.masks, Raster_frame(p.width, p.height, p.masks->pixel(s)), s, sequence, tries,
-                             work_);
+      std::optional<Shape_layout> layout =
+          build_on_raster(*p.masks, p.empty_page(p.masks->pixel(s)), s, sequence, tries, work_);
+      if (layout)
+        add_obstacles(*layout);
+      return layout;
     };
     std::optional<Shape_layout> best = attempt(scale);
     while (!best && scale > 0.98 * p.fallback.scale && !execution.is_cancelled()) {
@@ -232,6 +182,16 @@ private:
         scale *= 1 + step;
       }
     return best;
+  }
+
+  /// Appends the obstacles to a layout of what moves.
+  void add_obstacles(Shape_layout& layout) const
+  {
+    const auto append = [&](std::vector<Vec2>& to, const std::vector<Vec2>& from) {
+      to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(problem_->movable), from.end());
+    };
+    append(layout.turns, problem_->fallback.turns);
+    append(layout.positions, problem_->fallback.positions);
   }
 
   /// Pushes the shapes of a layout apart, at its scale or a smaller one that is still better than the best.
@@ -251,7 +211,7 @@ private:
   /// Swaps two shapes or throws one anywhere.
   void disturb(Shape_layout& layout)
   {
-    const std::size_t n = layout.positions.size(), i = below(n), j = below(n);
+    const std::size_t n = problem_->movable, i = below(n), j = below(n);
     if (i != j && below(3) != 0)
       std::swap(layout.positions[i], layout.positions[j]);
     else
@@ -281,7 +241,7 @@ private:
     bool is_good = true;
     const double border = problem_->gutter / 2;
     std::size_t segments = 0;
-    for (Index i = 0; i < placed.size(); ++i) {
+    for (Index i = 0; i < problem_->movable; ++i) {
       double least = HUGE_VAL;
       for (const Vec2& p : placed[i].points)
         least = std::min({least, p.x, p.y, problem_->width - p.x, problem_->height - p.y});
@@ -295,6 +255,8 @@ private:
     const double gutter = problem_->gutter;
     std::vector<double> missing(placed.size(), 0.0);
     Chart_clearance(placed, gutter).search([&](Index i, Index j, double distance) {
+      if (i >= problem_->movable && j >= problem_->movable)
+        return true;
       missing[i] = std::max(missing[i], gutter - distance);
       missing[j] = std::max(missing[j], gutter - distance);
       return true;
@@ -336,7 +298,7 @@ private:
   /// Shapes to take out: one and its neighbours, or any.
   std::vector<Index> victims()
   {
-    const std::size_t n = problem_->shapes.size();
+    const std::size_t n = problem_->movable;
     const std::size_t k = 1 + below(std::min<std::size_t>(5, n));
     const bool is_local = below(3) != 0;
     const Index first = static_cast<Index>(below(n));
@@ -364,17 +326,18 @@ private:
   bool rebuild(Shape_layout& layout)
   {
     const std::vector<Index> out = victims();
-    std::vector<bool> is_out(problem_->shapes.size(), false);
+    std::vector<bool> is_out(problem_->movable, false);
     for (const Index i : out)
       is_out[i] = true;
     const Packing_problem& p = *problem_;
-    draw_on_raster(frame_, p.shapes, layout, is_out, p.grown(), work_);
+    frame_ = empty_;
+    draw_on_raster(frame_, p.movables(), layout, is_out, p.grown(), work_);
     const double angle = 2 * M_PI * uniform();
     const Vec2 twist = p.may_turn ? Vec2{std::cos(angle), std::sin(angle)} : Vec2{1, 0};
     for (const Index i : out) {
       bool is_placed = false;
       for (double erosion = 0; erosion <= 4 && !is_placed; erosion += 0.75)
-        is_placed = insert_on_raster(frame_, p.shapes, i, p.turns, twist, p.grown() - erosion * frame_.pixel,
+        is_placed = insert_on_raster(frame_, p.shapes[i], i, p.turns, twist, p.grown() - erosion * frame_.pixel,
                                      layout, work_);
       if (!is_placed)
         return false;
@@ -413,7 +376,7 @@ private:
   const Packing_problem* problem_;
   unsigned number_;
   std::mt19937_64 random_;
-  Raster_frame frame_;
+  Raster_frame empty_, frame_; ///< the obstacles; and what a layout is rebuilt on
   Contact_relaxation elastic_;
   Guided_local_search overlap_;
   Shape_layout best_, current_, candidate_;

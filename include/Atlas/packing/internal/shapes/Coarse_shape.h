@@ -75,6 +75,26 @@ struct Coarse_shape
     return support[k] + (t - std::floor(t)) * (support[(k + 1) % directions] - support[k]);
   }
 
+  /// The shape in another unit.
+  Coarse_shape scaled(double factor) const
+  {
+    Coarse_shape result = *this;
+    const float f = static_cast<float>(factor);
+    for (Disc& d : result.discs)
+      d = {f * d.x, f * d.y, f * d.radius, f * d.weight};
+    for (Cluster& c : result.clusters)
+      c = {f * c.x, f * c.y, f * c.radius, c.begin, c.end};
+    for (double& s : result.support)
+      s *= factor;
+    result.radius *= factor;
+    result.left_ *= f;
+    result.bottom_ *= f;
+    result.nodes_per_unit_ /= f;
+    for (float& d : result.distance_)
+      d *= f;
+    return result;
+  }
+
   /// \param detail  discs smaller than that are left out, and corners flatter than that
   /// \param pad     how far distances are wanted, outside
   void build(const Packing_shape& shape, double detail, double pad, std::size_t most_discs)

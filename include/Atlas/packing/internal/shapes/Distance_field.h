@@ -2,7 +2,9 @@
 #ifndef ATLAS_PACKING_INTERNAL_SHAPES_DISTANCE_FIELD_H
 #define ATLAS_PACKING_INTERNAL_SHAPES_DISTANCE_FIELD_H
 
-#include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/core/Kernel.h>
+#include <Atlas/planar/internal/segments.h>
+#include <Atlas/planar/internal/vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -28,9 +30,7 @@ struct Segment_set
 
   Vec2 closest_point(Index s, Vec2 p) const
   {
-    const Vec2 a = points[segments[s][0]], d = points[segments[s][1]] - a;
-    const double l = dot(d, d), t = l > 0 ? std::clamp(dot(p - a, d) / l, 0.0, 1.0) : 0.0;
-    return a + t * d;
+    return internal::closest_point(p, points[segments[s][0]], points[segments[s][1]]);
   }
 
   /// The point of the segment closest to `p`, with a normal that tells whether `p` is outside.

@@ -5,6 +5,7 @@
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Packing.h>
+#include <Atlas/core/internal/Union_find.h>
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/planar/internal/vectors.h>
 
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -90,20 +90,14 @@ inline Chart_extent extent_of(const Chart& chart)
   return {area > 0 ? middle + (extent / area) * moment : middle, extent};
 }
 
-/// One point of each connected part of the segments, by union and find.
+/// One point of each connected part of the segments: the first.
 inline void find_seeds(Outline& outline)
 {
-  std::vector<Index> parent(outline.points.size());
-  std::iota(parent.begin(), parent.end(), Index(0));
-  const auto root = [&](Index i) {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  Union_find parts(outline.points.size());
   for (const auto& [i, j] : outline.segments)
-    parent[std::max(root(i), root(j))] = std::min(root(i), root(j));
-  for (Index i = 0; i < parent.size(); ++i)
-    if (parent[i] == i)
+    parts.unite(i, j);
+  for (Index i = 0; i < outline.points.size(); ++i)
+    if (parts.find(i) == i)
       outline.seeds.push_back(i);
 }
 

@@ -24,7 +24,7 @@ struct Shape_resolution
   double cells_per_chart = 20; ///< of distance fields, at least
 };
 
-/// A chart as the raster and the elastic packer see it: simplified, about its centre of gravity, in the frame
+/// A chart as the raster and the relaxation of contacts see it: simplified, about its centre of gravity, in the frame
 /// of its bounding rectangle of least area.
 struct Packing_shape
 {
@@ -87,18 +87,14 @@ inline void add_samples(Packing_shape& shape, const std::vector<Vec2>& points,
     shape.samples.push_back(points[chain.back()]);
 }
 
-/// The shape of an outline that is not empty. `is_turned` lets the frame differ from the outline's.
-inline Packing_shape packing_shape(const Outline& outline, const Shape_resolution& resolution, bool is_turned)
+/// Turns the outline into its frame: sets the frame, the hull and the bounding rectangle. Gives the points.
+inline std::vector<Vec2> set_frame(Packing_shape& shape, const Outline& outline, bool is_turned)
 {
-  Packing_shape shape;
   const std::vector<Vec2> hull = convex_hull(outline.points);
   if (is_turned) {
     const Vec2 e = least_rectangle_direction(hull);
     shape.frame = {e.x, -e.y};
   }
-  std::vector<Vec2> points;
-  for (const Vec2& p : outline.points)
-    points.push_back(rotated(shape.frame, p));
   Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
   for (const Vec2& p : hull) {
     const Vec2 q = rotated(shape.frame, p);
@@ -109,7 +105,17 @@ inline Packing_shape packing_shape(const Outline& outline, const Shape_resolutio
   shape.width = high.x - low.x;
   shape.height = high.y - low.y;
   shape.radius = outline.radius;
+  std::vector<Vec2> points;
+  for (const Vec2& p : outline.points)
+    points.push_back(rotated(shape.frame, p));
+  return points;
+}
 
+/// Simplifies the segments and samples them, the border first as in the outline. Gives the number of border
+/// segments.
+inline std::size_t add_segments(Packing_shape& shape, const Outline& outline, const std::vector<Vec2>& points,
+                                const Shape_resolution& resolution)
+{
   std::size_t border = 0;
   std::vector<Index> local(points.size(), no_index);
   const auto point = [&](Index i) {
@@ -119,7 +125,6 @@ inline Packing_shape packing_shape(const Outline& outline, const Shape_resolutio
     }
     return local[i];
   };
-  // Border first, as in the outline.
   Outline part;
   part.points = points;
   const auto split =
@@ -136,6 +141,15 @@ inline Packing_shape packing_shape(const Outline& outline, const Shape_resolutio
     if (is_border)
       border = shape.set.segments.size();
   }
+  return border;
+}
+
+/// The shape of an outline that is not empty. `is_turned` lets the frame differ from the outline's.
+inline Packing_shape packing_shape(const Outline& outline, const Shape_resolution& resolution, bool is_turned)
+{
+  Packing_shape shape;
+  const std::vector<Vec2> points = set_frame(shape, outline, is_turned);
+  const std::size_t border = add_segments(shape, outline, points, resolution);
   if (outline.orientation != 0 && border == shape.set.segments.size())
     shape.set.orient(outline.orientation);
   build_nodes(shape, 0, static_cast<Index>(shape.samples.size()));

@@ -3,9 +3,9 @@
 #define ATLAS_PACKING_INTERNAL_SHAPES_CHART_CLEARANCE_H
 
 #include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/planar/internal/segments.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,42 +20,6 @@ struct Placed_outline
   const Outline* outline = nullptr;
   std::vector<Vec2> points; ///< as in the outline
 };
-
-inline double squared_distance(Vec2 p, Vec2 a, Vec2 b)
-{
-  const Vec2 d = b - a;
-  const double l = dot(d, d), t = l > 0 ? std::clamp(dot(p - a, d) / l, 0.0, 1.0) : 0.0;
-  const Vec2 e = p - (a + t * d);
-  return dot(e, e);
-}
-
-/// Whether two segments have a point in common, by exact orientations.
-inline bool do_intersect(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
-{
-  const auto point = [](Vec2 p) { return Point_2(p.x, p.y); };
-  const auto side = [&](Vec2 p, Vec2 q, Vec2 r) {
-    return static_cast<int>(CGAL::orientation(point(p), point(q), point(r)));
-  };
-  const auto in_box = [](Vec2 p, Vec2 q, Vec2 r) {
-    return std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= r.y &&
-           r.y <= std::max(p.y, q.y);
-  };
-  const int s1 = side(a, b, c), s2 = side(a, b, d), s3 = side(c, d, a), s4 = side(c, d, b);
-  if (s1 * s2 < 0 && s3 * s4 < 0)
-    return true;
-  return (s1 == 0 && in_box(a, b, c)) || (s2 == 0 && in_box(a, b, d)) || (s3 == 0 && in_box(c, d, a)) ||
-         (s4 == 0 && in_box(c, d, b));
-}
-
-/// Squared distance of two segments; 0 exactly when they meet.
-inline double squared_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
-{
-  const double apart = std::min({squared_distance(a, c, d), squared_distance(b, c, d),
-                                 squared_distance(c, a, b), squared_distance(d, a, b)});
-  const double reach = std::max({length(b - a), length(d - c)});
-  // Segments that cross have an end within half of the longer one of the other segment.
-  return apart <= reach * reach && do_intersect(a, b, c, d) ? 0 : apart;
-}
 
 /// Finds which charts are how near to each other, up to a limit, among charts on one page.
 ///

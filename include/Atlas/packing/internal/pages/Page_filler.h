@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_PACKING_INTERNAL_PAGES_PACK_PAGES_H
-#define ATLAS_PACKING_INTERNAL_PAGES_PACK_PAGES_H
+#ifndef ATLAS_PACKING_INTERNAL_PAGES_PAGE_FILLER_H
+#define ATLAS_PACKING_INTERNAL_PAGES_PAGE_FILLER_H
 
-#include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Packing.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/horizon/horizon_layout.h>
+#include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/obstacle_layout.h>
-#include <Atlas/packing/internal/pages/packing_pieces.h>
+#include <Atlas/packing/internal/pages/page_task.h>
 #include <Atlas/packing/internal/pages/scale_search.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,14 +57,13 @@ struct Filled_page
   Layout layout;
 };
 
-/// Puts outlines on pages, each page by an engine: `engine(outlines, page, most_scale, execution)` lays
-/// outlines out on one page at the largest scale it finds, at most `most_scale`.
-template <typename Engine>
+/// Puts outlines on pages, each page by an engine; pages with obstacles by `obstacle_layout()` if the engine
+/// does not heed them.
 class Page_filler
 {
 public:
   Page_filler(const Outlines& outlines, const Obstacles_of_pages& obstacles, const Page_options& page,
-              Engine engine, const Execution& execution)
+              const Any_page_engine& engine, const Execution& execution)
       : outlines_(outlines), obstacles_(obstacles), page_(page), engine_(engine), execution_(execution)
   {}
 
@@ -111,11 +109,38 @@ private:
     return it == obstacles_.end() || it->second.outlines.empty() ? nullptr : &it->second;
   }
 
-  std::optional<Layout> layout(const Outlines& part, std::size_t page, double scale) const
+  /// What a page asks for. The pieces and obstacles are only made for engines.
+  Page_task task(double scale) const
   {
-    if (const Obstacles* obstacles = obstacles_on(page))
-      return obstacle_layout(part, *obstacles, page_, scale, execution_);
-    return engine_(part, page_, scale, execution_);
+    Page_task result;
+    result.width = page_.width;
+    result.height = page_.height;
+    result.gutter = page_.gutter;
+    result.margin = page_.gutter / 2 + rounding_margin(page_.width, page_.height);
+    result.rotation = page_.rotation;
+    result.most_scale = scale;
+    return result;
+  }
+
+  std::optional<Layout> layout(const Outlines& part, const Obstacles* obstacles, double scale) const
+  {
+    Page_task page = task(scale);
+    if (obstacles && !engine_.heeds_obstacles())
+      return obstacle_layout(part, *obstacles, page, execution_);
+    for (const Outline& outline : part.charts)
+      page.pieces.push_back(page_piece(outline));
+    if (obstacles)
+      for (const Outline& outline : obstacles->outlines)
+        page.obstacles.push_back({page_piece(outline), to_complex(outline.centre)});
+    const std::optional<Page_layout> found = engine_.lay_out(page, execution_);
+    return found ? std::optional(layout_of(*found)) : std::nullopt;
+  }
+
+  /// A layout that comes near to the scale without much ado.
+  std::optional<Layout> simple_layout(const Outlines& part, const Obstacles* obstacles, double scale) const
+  {
+    return obstacles ? obstacle_layout(part, *obstacles, task(scale), execution_)
+                     : horizon_layout(part, task(scale), Horizon_source::outline, execution_);
   }
 
   /// Lays out the pieces of a page at a scale of at most `scale`; false if there is no room at all.
@@ -123,9 +148,7 @@ private:
   {
     const Outlines part = subset(outlines_, pages[k].pieces);
     std::optional<Layout> found =
-        is_simple && !obstacles_on(k)
-            ? horizon_layout(part, page_, Horizon_source::outline, scale, execution_)
-            : layout(part, k, scale);
+        is_simple ? simple_layout(part, obstacles_on(k), scale) : layout(part, obstacles_on(k), scale);
     if (found)
       pages[k].layout = std::move(*found);
     return found.has_value();
@@ -138,7 +161,8 @@ private:
     smaller.scale = scale;
     const Obstacles* obstacles = obstacles_on(k);
     const Outlines part = subset(outlines_, pages[k].pieces);
-    if (!keeps_margin(part, smaller, obstacles ? *obstacles : Obstacles(), page_))
+    if (!keeps_margin(part, smaller, smaller.margin, obstacles ? *obstacles : Obstacles(), page_.width,
+                      page_.height))
       return false;
     pages[k].layout = std::move(smaller);
     return true;
@@ -154,7 +178,7 @@ private:
       if (2 * scale * outlines_.charts[i].radius < room || execution_.is_cancelled())
         break;
       const std::optional<Layout> alone =
-          engine_(subset(outlines_, std::span(&i, 1)), page_, scale, execution_);
+          layout(subset(outlines_, std::span(&i, 1)), nullptr, scale);
       if (alone)
         scale = std::min(scale, alone->scale);
     }
@@ -203,7 +227,7 @@ private:
         std::vector<Index> others = left;
         filled.pieces = take(others, share * texels, scale);
         const bool is_alone = filled.pieces.size() == 1;
-        std::optional<Layout> found = layout(subset(outlines_, filled.pieces), pages.size(), scale);
+        std::optional<Layout> found = layout(subset(outlines_, filled.pieces), obstacles, scale);
         const bool fits =
             found && found->scale >= scale && (found->margin >= page_.gutter / 2 || (is_alone && !obstacles));
         if (fits) {
@@ -259,78 +283,9 @@ private:
   const Outlines& outlines_;
   const Obstacles_of_pages& obstacles_;
   const Page_options& page_;
-  Engine engine_;
+  const Any_page_engine& engine_;
   const Execution& execution_;
 };
-
-/// The locked charts by pages; `others` are the charts without those. Both are empty if there are none.
-inline Obstacles_of_pages set_apart(std::span<const Chart> charts, const Page_options& options,
-                                    std::vector<Chart>& others)
-{
-  Obstacles_of_pages obstacles;
-  for (std::size_t i = 0; i < charts.size() && i < options.locked.size(); ++i) {
-    if (!options.locked[i])
-      continue;
-    CGAL_precondition_msg(options.locked[i]->page != no_index,
-                          "a chart is locked on a page without a number");
-    if (others.empty())
-      others.assign(charts.begin(), charts.end());
-    others[i] = {};
-    obstacles[options.locked[i]->page].add(charts[i], *options.locked[i]);
-  }
-  return obstacles;
-}
-
-/// What all packers have in common: pieces made of charts, pages, and the way back. \see Page_filler
-template <typename Engine>
-Packing pack_pages(std::span<const Chart> charts, const Page_options& options, Engine engine,
-                   const Execution& execution)
-{
-  Page_options page = options;
-  page.gutter = options.effective_gutter();
-  std::vector<Chart> free_charts;
-  const Obstacles_of_pages obstacles = set_apart(charts, options, free_charts);
-  const Packing_pieces pieces(free_charts.empty() ? charts : free_charts, options, execution);
-  const Outlines outlines = outlines_of(pieces.charts(), execution);
-  Packing packing;
-  packing.placements.resize(charts.size());
-  if (charts.empty() || page.width == 0 || page.height == 0)
-    return packing;
-
-  const Page_filler filler(outlines, obstacles, page, engine, execution);
-  const auto pages = options.density > 0 ? filler.fill(options.density / outlines.unit) : filler.spread();
-  if (!pages)
-    return packing;
-  std::vector<Placement> placements(outlines.size());
-  std::vector<bool> is_placed(outlines.size(), false);
-  packing.gutter = page.gutter;
-  packing.density = options.density > 0 ? options.density : 1; // if there is nothing to pack
-  packing.number_of_pages = obstacles.empty() ? 1 : obstacles.rbegin()->first + 1;
-  for (Index k = 0; k < pages->size(); ++k) {
-    const auto& [numbers, layout] = (*pages)[k];
-    if (numbers.empty())
-      continue;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      placements[numbers[i]] =
-          outlines.placement(numbers[i], layout.scale, layout.turns[i], layout.positions[i], k);
-      is_placed[numbers[i]] = true;
-    }
-    packing.density = layout.scale * outlines.unit;
-    packing.gutter = std::min(packing.gutter, 2 * std::max(0.0, layout.margin - rounding_margin(page)));
-    packing.number_of_pages = std::max(packing.number_of_pages, k + 1);
-  }
-  for (std::size_t i = 0; i < outlines.size(); ++i)
-    if (!is_placed[i]) // charts without triangles are nowhere, but have the density of all
-      placements[i] = outlines.placement(i, packing.density / outlines.unit, {1, 0}, {});
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    const bool is_locked = i < options.locked.size() && options.locked[i];
-    packing.placements[i] = is_locked ? *options.locked[i] : pieces.placement(i, placements);
-  }
-  if (options.stacking != Chart_stacking::none)
-    for (std::size_t i = 0; i < charts.size(); ++i)
-      packing.layers.push_back(pieces.layer(i));
-  return packing;
-}
 
 } // namespace Atlas::internal
 
