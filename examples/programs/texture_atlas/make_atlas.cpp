@@ -58,10 +58,11 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     merge.max_distortion = options.max_distortion;
   if (!options.measure.empty())
     merge.measure = measure_of(options.measure);
-  const auto common = Atlas::parameters::page_options(options.page)
-                          .packer(Material_packer(surface, model, options.materials, options.effort))
-                          .number_of_threads(options.threads)
-                          .progress(progress);
+  const auto common =
+      Atlas::parameters::page_options(options.page)
+          .packer(Material_packer{surface, model, rules_of(options.materials, model), options.effort})
+          .number_of_threads(options.threads)
+          .progress(progress);
   set_weights(options.materials, model, surface);
   if (options.keeps_uv) {
     Atlas::constrain_to_uv(surface, model.uv);

@@ -101,8 +101,9 @@ inline constexpr Index max_pages = 8999;
 ///
 /// \throws Invalid_argument that names the member of `Page_options` unless: `width` and `height` are in [1,
 /// 65536]; the gutter is finite, not negative and, with mip levels and blocks, less than half of the smaller
-/// side; `mip_levels` is at most 16, `block` 4096, `pages` in [1, 8999]; `density` is finite and not negative;
-/// weights are positive and finite; and places are finite, those of locked charts on pages with a number.
+/// side; `mip_levels` is at most 16, `block` 4096, `pages` in [1, 8999]; `density` is finite and not
+/// negative; weights are positive and finite; and places are finite, those of locked charts on pages with a
+/// number.
 void check(const Page_options& page);
 
 /// \brief Refuses what cannot be for so many charts: also lists that are neither empty nor of that length.

@@ -28,10 +28,13 @@ struct Page_piece
                                               ///< on their left if `orientation` is 1; then folds
   std::size_t number_of_border_segments = 0;
   int orientation = 0; ///< of the triangles: 1 counterclockwise, -1 clockwise, 0 both or degenerate
-  std::vector<std::array<std::complex<double>, 3>> triangles; ///< only of pieces that are folded, whose border
-                                                              ///< alone does not tell what is inside
-  double area = 0;   ///< sum of the areas of the triangles
-  double radius = 0; ///< largest distance of a point from the origin
+  std::vector<std::array<std::complex<double>, 3>> triangles; ///< only of pieces that are folded, whose
+                                                              ///< border alone does not tell what is inside
+  double area = 0;                                            ///< sum of the areas of the triangles
+  double radius = 0;                                          ///< largest distance of a point from the origin
+
+  /// The lower left and the upper right corner of the bounding box, not turned. O(points).
+  std::array<std::complex<double>, 2> box() const;
 };
 
 /// \brief A piece that stays where it is. Its outline is in texels about its centre.
@@ -61,9 +64,9 @@ struct Page_task
 /// \brief Where the pieces of a page are: a point z of piece i goes to `positions[i] + scale * turns[i] * z`.
 struct Page_layout
 {
-  double scale = 0;  ///< texels per unit of the pieces; in (0, `most_scale`]
-  double margin = 0; ///< what is kept, if not what was asked for; in texels
-  std::vector<std::complex<double>> turns;     ///< per piece: of absolute value 1, as the rotation rule allows
+  double scale = 0;                        ///< texels per unit of the pieces; in (0, `most_scale`]
+  double margin = 0;                       ///< what is kept, if not what was asked for; in texels
+  std::vector<std::complex<double>> turns; ///< per piece: of absolute value 1, as the rotation rule allows
   std::vector<std::complex<double>> positions; ///< per piece: where its origin is, in texels
 };
 

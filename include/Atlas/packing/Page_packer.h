@@ -71,8 +71,8 @@ public:
   /// `density` is 0, and about three times otherwise.
   ///
   /// \throws Invalid_argument if `page` is no page, or has lists that do not fit the charts. \see `check()`
-  /// \throws Policy_error if what the engine returns cannot be, or does not keep the margin it claims. Margins
-  /// are tested exactly, on the layouts that are used in the end.
+  /// \throws Policy_error if what the engine returns cannot be, or does not keep the margin it claims.
+  /// Margins are tested exactly, on the layouts that are used in the end.
   Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const;
 
 private:

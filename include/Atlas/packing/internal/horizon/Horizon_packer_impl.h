@@ -10,7 +10,7 @@
 namespace Atlas {
 
 ATLAS_INLINE std::optional<Page_layout> Horizon_packer::lay_out(const Page_task& task,
-                                                               const Execution& execution) const
+                                                                const Execution& execution) const
 {
   const internal::Outlines outlines = internal::outlines_of(task);
   return internal::page_layout(
@@ -18,7 +18,7 @@ ATLAS_INLINE std::optional<Page_layout> Horizon_packer::lay_out(const Page_task&
 }
 
 ATLAS_INLINE Packing Horizon_packer::pack(std::span<const Chart> charts, const Page_options& page,
-                                         const Execution& execution) const
+                                          const Execution& execution) const
 {
   return Page_packer(*this).pack(charts, page, execution);
 }

@@ -88,8 +88,8 @@ inline std::vector<Placement> placements_of(const Outlines& outlines, const std:
       is_placed[numbers[i]] = true;
     }
     packing.density = layout.scale * outlines.unit;
-    packing.gutter = std::min(
-        packing.gutter, 2 * std::max(0.0, layout.margin - rounding_margin(page.width, page.height)));
+    packing.gutter =
+        std::min(packing.gutter, 2 * std::max(0.0, layout.margin - rounding_margin(page.width, page.height)));
     packing.number_of_pages = std::max(packing.number_of_pages, k + 1);
   }
   for (std::size_t i = 0; i < outlines.size(); ++i)
@@ -119,9 +119,7 @@ ATLAS_INLINE std::optional<Page_layout> Any_page_engine::lay_out(const Page_task
   std::optional<Page_layout> layout = policy().lay_out(task, execution);
   if (!layout)
     return layout;
-  const auto fail = [&](const std::string& fault) {
-    throw Policy_error("page engine", type_name(), fault);
-  };
+  const auto fail = [&](const std::string& fault) { throw Policy_error("page engine", type_name(), fault); };
   const std::size_t n = task.pieces.size();
   if (layout->turns.size() != n || layout->positions.size() != n)
     fail("returned " + std::to_string(layout->turns.size()) + " turns and " +

@@ -18,7 +18,7 @@
 namespace Atlas {
 
 ATLAS_INLINE Packing_clearance packing_clearance(std::span<const Chart> charts, const Packing& packing,
-                                           const Page_options& page, double limit)
+                                                 const Page_options& page, double limit)
 {
   using internal::Vec2;
   internal::require(packing.placements.size() == charts.size(), "packing",

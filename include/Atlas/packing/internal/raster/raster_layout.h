@@ -75,7 +75,8 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, con
   execution.for_each(problem.shapes.size(), [&](std::size_t i) {
     const Outline& outline = *problem.outlines[i];
     if (i >= problem.movable) {
-      problem.shapes[i] = packing_shape(outline, obstacle_resolution(search_resolution(problem, side, 1), outline), false);
+      problem.shapes[i] =
+          packing_shape(outline, obstacle_resolution(search_resolution(problem, side, 1), outline), false);
       return;
     }
     problem.shapes[i] = packing_shape(outline, resolution, problem.may_turn);

@@ -31,9 +31,9 @@ struct Relaxation_options
 /// Shapes on a page that push each other and the border away until they keep the gutter.
 ///
 /// Points along the border of one shape are looked up in the distance field of another. Where they are nearer
-/// than the gutter, both shapes are moved and turned by as much as is missing, the lighter one more, obstacles
-/// not at all. One pair follows the other (Gauss-Seidel), until no pair is too near. A pair whose shapes have
-/// moved by less than what was free between them cannot be, and is passed over.
+/// than the gutter, both shapes are moved and turned by as much as is missing, the lighter one more,
+/// obstacles not at all. One pair follows the other (Gauss-Seidel), until no pair is too near. A pair whose
+/// shapes have moved by less than what was free between them cannot be, and is passed over.
 class Contact_relaxation
 {
 public:

@@ -95,10 +95,7 @@ private:
     double turn = 0;
   };
 
-  const Coarse_shape& shape(Index i) const
-  {
-    return i < movable_ ? (*shapes_)[i] : obstacles_[i - movable_];
-  }
+  const Coarse_shape& shape(Index i) const { return i < movable_ ? (*shapes_)[i] : obstacles_[i - movable_]; }
 
   static Vec2 turn_by(double angle) { return {std::cos(2 * M_PI * angle), std::sin(2 * M_PI * angle)}; }
   static double angle_of(Vec2 turn) { return std::atan2(turn.y, turn.x) / (2 * M_PI); }

@@ -337,8 +337,8 @@ private:
     for (const Index i : out) {
       bool is_placed = false;
       for (double erosion = 0; erosion <= 4 && !is_placed; erosion += 0.75)
-        is_placed = insert_on_raster(frame_, p.shapes[i], i, p.turns, twist, p.grown() - erosion * frame_.pixel,
-                                     layout, work_);
+        is_placed = insert_on_raster(frame_, p.shapes[i], i, p.turns, twist,
+                                     p.grown() - erosion * frame_.pixel, layout, work_);
       if (!is_placed)
         return false;
     }

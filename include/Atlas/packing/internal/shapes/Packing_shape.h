@@ -24,8 +24,8 @@ struct Shape_resolution
   double cells_per_chart = 20; ///< of distance fields, at least
 };
 
-/// A chart as the raster and the relaxation of contacts see it: simplified, about its centre of gravity, in the frame
-/// of its bounding rectangle of least area.
+/// A chart as the raster and the relaxation of contacts see it: simplified, about its centre of gravity, in
+/// the frame of its bounding rectangle of least area.
 struct Packing_shape
 {
   /// A circle around consecutive samples. Nodes are in preorder.
