@@ -4,6 +4,7 @@
 #include <Atlas/generate_atlas.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
+#include <Atlas/validation/Exact_validator.h>
 
 #include "texture_atlas.h"
 #include <limits>
