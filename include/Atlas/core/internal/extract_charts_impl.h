@@ -3,34 +3,17 @@
 #define ATLAS_CORE_INTERNAL_EXTRACT_CHARTS_IMPL_H
 
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/core/internal/halfedges.h>
-
-#include <cstddef>
 
 namespace Atlas {
 
 ATLAS_INLINE Chart extract_chart(const Surface& surface, const Segmentation& segmentation,
                                  std::span<const Index> triangles, std::vector<Index>& local)
 {
-  Chart chart;
-  chart.source.assign(triangles.begin(), triangles.end());
-  chart.triangles.assign(triangles.size(), {no_index, no_index, no_index});
-  for (Index t = 0; t < triangles.size(); ++t)
-    local[triangles[t]] = t;
-  const auto slot = [&](Index h) -> Index& { return chart.triangles[local[h / 3]][h % 3]; };
-
-  for (const Index t : triangles) {
-    for (Index start = 3 * t; start < 3 * t + 3; ++start) {
-      if (slot(start) != no_index)
-        continue;
-      const Index vertex = static_cast<Index>(chart.points.size());
-      chart.points.push_back(surface.point(start));
-      internal::for_each_in_fan(
-          surface.opposite, start, [&](Index h) { return segmentation.is_glued(surface, h); },
-          [&](Index h) { slot(h) = vertex; });
-    }
-  }
-  return chart;
+  return internal::extract_triangles(
+      surface.opposite, triangles, local, [&](Index h) { return segmentation.is_glued(surface, h); },
+      [&](Index h) -> const Point_3& { return surface.point(h); });
 }
 
 ATLAS_INLINE std::vector<std::vector<Index>> triangles_of_charts(const Segmentation& segmentation)

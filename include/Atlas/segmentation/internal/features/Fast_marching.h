@@ -20,9 +20,9 @@ namespace Atlas::internal {
 
 /// \brief Distances on the surface from a set of vertices, by fast marching.
 ///
-/// R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 1998: across each triangle the wave front is
-/// taken for plane. Where that does not fit (obtuse and degenerate triangles) it follows the edges, which
-/// gives a value that is too large, never one too small. O(n log n).
+/// R. Kimmel, J. Sethian, Computing geodesic paths on manifolds, PNAS 1998: across each triangle the wave
+/// front is taken for plane. Where that does not fit (obtuse and degenerate triangles) it follows the edges,
+/// which gives a value that is too large, never one too small. O(n log n).
 class Fast_marching
 {
 public:

@@ -4,7 +4,7 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/internal/halfedges.h>
+#include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/segmentation/internal/merging/Arc_borders.h>
 #include <Atlas/segmentation/internal/merging/Coarse_surface.h>
 #include <Atlas/segmentation/internal/merging/layout_limits.h>
@@ -123,26 +123,11 @@ private:
     return s != no_index && !borders.is_glued(s / 2) && !is_on_trial_[s / 2];
   }
 
-  /// Copies triangles out as `extract_chart()` does.
   Chart extract(const Arc_borders& borders, const std::vector<Index>& triangles)
   {
-    Chart chart;
-    chart.source = triangles;
-    chart.triangles.assign(triangles.size(), {no_index, no_index, no_index});
-    for (Index i = 0; i < triangles.size(); ++i)
-      local_[triangles[i]] = i;
-    const auto slot = [&](Index h) -> Index& { return chart.triangles[local_[h / 3]][h % 3]; };
-    for (const Index t : triangles)
-      for (Index start = 3 * t; start < 3 * t + 3; ++start) {
-        if (slot(start) != no_index)
-          continue;
-        const Index vertex = static_cast<Index>(chart.points.size());
-        chart.points.push_back(surface_.point(start));
-        for_each_in_fan(
-            surface_.opposite, start, [&](Index h) { return !is_open(borders, h); },
-            [&](Index h) { slot(h) = vertex; });
-      }
-    return chart;
+    return extract_triangles(
+        surface_.opposite, triangles, local_, [&](Index h) { return !is_open(borders, h); },
+        [&](Index h) -> const Point_3& { return surface_.point(h); });
   }
 
   void attempt(const Arc_borders& borders, const std::vector<Mergeable_chart>& charts, Merge_candidate& c,

@@ -4,10 +4,10 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/segmentation/internal/smoothing/minimum_cut.h>
 #include <Atlas/segmentation/internal/surface/Seam_costs.h>
-#include <Atlas/segmentation/internal/surface/Submesh.h>
 
 #include <algorithm>
 #include <array>
@@ -19,20 +19,6 @@
 #include <vector>
 
 namespace Atlas::internal {
-
-/// The submesh as a chart of its own.
-inline Chart chart_of_submesh(const Surface& surface, const Submesh& submesh)
-{
-  Chart chart;
-  chart.source = submesh.triangles;
-  chart.points.resize(submesh.number_of_vertices());
-  chart.triangles.resize(submesh.triangles.size());
-  for (Index h = 0; h < submesh.vertex.size(); ++h) {
-    chart.triangles[h / 3][h % 3] = submesh.vertex[h];
-    chart.points[submesh.vertex[h]] = surface.point(submesh.global(h));
-  }
-  return chart;
-}
 
 /// \brief What must stay as it is while borders move, for a whole surface.
 struct Smoothing_limits
@@ -89,9 +75,9 @@ public:
   {
     std::vector<Index> triangles = reached_[side];
     std::sort(triangles.begin(), triangles.end());
-    const Submesh submesh = make_submesh(
-        surface_, std::move(triangles), [&](Index h) { return is_glued(h); }, scratch_.local);
-    return chart_of_submesh(surface_, submesh);
+    return extract_triangles(
+        surface_.opposite, triangles, scratch_.local, [&](Index h) { return is_glued(h); },
+        [&](Index h) -> const Point_3& { return surface_.point(h); });
   }
 
 private:
