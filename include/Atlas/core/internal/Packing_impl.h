@@ -21,7 +21,7 @@ inline void require_range(Index value, Index least, Index most, const char* argu
                                          std::to_string(most) + ", but is " + std::to_string(value));
 }
 
-inline void require_not_negative(double value, const char* argument)
+inline void require_finite_not_negative(double value, const char* argument)
 {
   if (!(value >= 0 && std::isfinite(value)))
     throw Invalid_argument(argument, "must be finite and not negative, but is " + std::to_string(value));
@@ -61,11 +61,11 @@ ATLAS_INLINE void check(const Page_options& page)
 {
   internal::require_range(page.width, 1, max_page_side, "width");
   internal::require_range(page.height, 1, max_page_side, "height");
-  internal::require_not_negative(page.gutter, "gutter");
+  internal::require_finite_not_negative(page.gutter, "gutter");
   internal::require_range(page.mip_levels, 0, max_mip_levels, "mip_levels");
   internal::require_range(page.block, 0, max_block, "block");
   internal::require_range(page.pages, 1, max_pages, "pages");
-  internal::require_not_negative(page.density, "density");
+  internal::require_finite_not_negative(page.density, "density");
   if (const double gutter = page.effective_gutter(); !(2 * gutter < std::min(page.width, page.height)))
     throw Invalid_argument("gutter", "must leave room on a page of " + std::to_string(page.width) + " x " +
                                          std::to_string(page.height) +

@@ -17,8 +17,8 @@ namespace Atlas {
 
 namespace internal {
 
-/// The triangles of each chart.
-inline std::vector<std::vector<Index>> triangles_of_charts(const Segmentation& segmentation)
+/// The triangles of each chart, without those that are in none.
+inline std::vector<std::vector<Index>> triangles_in_charts(const Segmentation& segmentation)
 {
   std::vector<std::vector<Index>> triangles(segmentation.number_of_charts);
   for (Index t = 0; t < segmentation.chart.size(); ++t)
@@ -57,7 +57,7 @@ ATLAS_INLINE Repacked_charts pack_charts(const Surface& surface, std::span<const
   result.uv.assign(uv.begin(), uv.end());
   result.page.assign(uv.size(), 0);
   result.segmentation = charts_of_uv(surface, uv);
-  const std::vector<std::vector<Index>> triangles = internal::triangles_of_charts(result.segmentation);
+  const std::vector<std::vector<Index>> triangles = internal::triangles_in_charts(result.segmentation);
   result.charts = internal::charts_with_uv(surface, result.segmentation, triangles, uv);
   Page_options page = options;
   if (page.weights.empty() && !surface.density_weight.empty())

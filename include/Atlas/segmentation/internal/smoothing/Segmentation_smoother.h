@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Before the guard: where there is no library, that header includes its definitions, and they need all of
+// this one.
+#include <Atlas/segmentation/smooth_borders.h>
+
 #ifndef ATLAS_SEGMENTATION_INTERNAL_SMOOTHING_SEGMENTATION_SMOOTHER_H
 #define ATLAS_SEGMENTATION_INTERNAL_SMOOTHING_SEGMENTATION_SMOOTHER_H
 
@@ -7,7 +11,6 @@
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/segmentation/internal/smoothing/Border_smoother.h>
 #include <Atlas/segmentation/internal/surface/Seam_costs.h>
-#include <Atlas/segmentation/smooth_borders.h>
 
 #include <algorithm>
 #include <array>
