@@ -64,7 +64,8 @@ atlas_header_checks(atlas_headers_alone ${sources_without_kernel})
 atlas_header_checks(atlas_kernel_headers_alone ${sources_with_kernel})
 target_precompile_headers(atlas_kernel_headers_alone PRIVATE ${atlas_include}/Atlas/core/Kernel.h)
 
-# All headers but those that say so compile when CGAL refuses its GPL packages.
+# All headers but those that say so compile when CGAL refuses its GPL packages; without a library, so that all
+# definitions get along with each other, too.
 set(content)
 foreach(header IN LISTS atlas_headers)
   if(NOT header IN_LIST atlas_gpl_headers)
@@ -73,7 +74,7 @@ foreach(header IN LISTS atlas_headers)
 endforeach()
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/licence.cpp CONTENT "${content}" @ONLY)
 atlas_header_checks(atlas_licence ${CMAKE_CURRENT_BINARY_DIR}/headers/licence.cpp)
-target_compile_definitions(atlas_licence PRIVATE CGAL_LICENSE_ERROR)
+target_compile_definitions(atlas_licence PRIVATE CGAL_LICENSE_ERROR ATLAS_HEADER_ONLY)
 
 # atlas_must_not_compile(NAME SOURCE DEFINITION ERRORS...): the compiler refuses the source, and each of the regular
 # expressions matches one of its errors.
