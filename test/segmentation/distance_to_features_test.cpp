@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/internal/features/Fast_marching.h>
+#include <Atlas/segmentation/internal/features/Feature_distance.h>
 #include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 
 #include "segmentation_shapes.h"
