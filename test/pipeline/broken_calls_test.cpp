@@ -121,6 +121,8 @@ TEST(BrokenCalls, MapsOfAMeshAreCheckedToo)
   const auto weight = mesh.add_property_map<CGAL::SM_Face_index, double>("f:weight", 0.0).first;
   EXPECT_THROW((void)generate_atlas(mesh, uv, parameters::seam_cost_map(cost)), Invalid_argument);
   EXPECT_THROW((void)generate_atlas(mesh, uv, parameters::face_weight_map(weight)), Invalid_argument);
+  const auto index = mesh.add_property_map<CGAL::SM_Vertex_index, std::size_t>("v:i", 1000).first;
+  EXPECT_THROW((void)generate_atlas(mesh, uv, CGAL::parameters::vertex_index_map(index)), Invalid_argument);
   EXPECT_THROW((void)verify_atlas(mesh, uv, parameters::texture_size(-1)), Invalid_argument);
   EXPECT_THROW((void)verify_atlas(mesh, uv, parameters::gutter(-1)), Invalid_argument);
 }

@@ -51,8 +51,9 @@ Mesh_arrays<FaceListGraph> flatten_mesh(const FaceListGraph& mesh, VertexPointMa
   std::vector<Point_3> points(num_vertices(mesh));
   for (const auto v : vertices(mesh)) {
     const auto& p = get(vertex_point, v);
-    points[get(vertex_index, v)] =
-        Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    const auto i = static_cast<std::size_t>(get(vertex_index, v));
+    require(i < points.size(), "vertex_index_map", "must number the vertices from 0 on");
+    points[i] = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
   std::vector<std::size_t> first{0};
   std::vector<Index> corners;
@@ -77,6 +78,8 @@ template <typename FaceListGraph, typename EdgeMap>
 void read_constraints(const FaceListGraph& mesh, Mesh_arrays<FaceListGraph>& view, EdgeMap is_marked,
                       Edge_constraint constraint)
 {
+  static_assert(ReadableMap<EdgeMap, typename boost::graph_traits<FaceListGraph>::edge_descriptor>,
+                "edge_is_constrained_map and forbidden_seam_map must be readable maps from edges");
   Surface& surface = view.surface;
   surface.constraint.resize(surface.opposite.size(), Edge_constraint::none);
   for (Index h = 0; h < surface.opposite.size(); ++h)
@@ -94,6 +97,9 @@ template <typename FaceListGraph, typename CostMap>
 void read_seam_costs(const FaceListGraph& mesh, Mesh_arrays<FaceListGraph>& view, CostMap cost)
 {
   using Edge = typename boost::graph_traits<FaceListGraph>::edge_descriptor;
+  using Vertex = typename boost::graph_traits<FaceListGraph>::vertex_descriptor;
+  static_assert(ReadableMap<CostMap, Edge> || ReadableMap<CostMap, Vertex>,
+                "seam_cost_map must be a readable map from edges or from vertices");
   const auto cost_of = [&](const auto h) -> double {
     if constexpr (std::is_convertible_v<Edge, typename boost::property_traits<CostMap>::key_type>)
       return CGAL::to_double(get(cost, edge(h, mesh)));
@@ -118,6 +124,8 @@ void read_patches(Mesh_arrays<FaceListGraph>&, Param_not_found)
 template <typename FaceListGraph, typename FaceMap>
 void read_patches(Mesh_arrays<FaceListGraph>& view, FaceMap face_patch)
 {
+  static_assert(ReadableMap<FaceMap, typename Mesh_arrays<FaceListGraph>::Face>,
+                "face_patch_map must be a readable map from faces");
   using Patch = std::remove_cvref_t<decltype(get(face_patch, view.faces.front()))>;
   std::map<Patch, Index> number;
   for (const auto f : view.faces)
@@ -137,6 +145,8 @@ void read_density_weights(Mesh_arrays<FaceListGraph>&, Param_not_found)
 template <typename FaceListGraph, typename WeightMap>
 void read_density_weights(Mesh_arrays<FaceListGraph>& view, WeightMap weight)
 {
+  static_assert(ReadableMap<WeightMap, typename Mesh_arrays<FaceListGraph>::Face>,
+                "face_weight_map must be a readable map from faces");
   Surface& surface = view.surface;
   surface.density_weight.resize(surface.number_of_triangles());
   for (std::size_t t = 0; t < surface.density_weight.size(); ++t) {
@@ -189,6 +199,8 @@ template <typename FaceListGraph, typename EdgeMap>
 void write_edge_seams(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
                       const Segmentation& segmentation, EdgeMap is_seam)
 {
+  static_assert(WritableMap<EdgeMap, typename boost::graph_traits<FaceListGraph>::edge_descriptor, bool>,
+                "edge_seam_map must be a writable map from edges");
   for (const auto e : edges(mesh))
     put(is_seam, e, false);
   const Surface& surface = view.surface;
@@ -224,6 +236,8 @@ void write_face_numbers(const Mesh_arrays<FaceListGraph>& view, const std::vecto
                         FaceMap map)
 {
   using Value = typename boost::property_traits<FaceMap>::value_type;
+  static_assert(WritableMap<FaceMap, typename Mesh_arrays<FaceListGraph>::Face, Value>,
+                "face_chart_map and face_page_map must be writable maps from faces");
   for (std::size_t f = 0; f < numbers.size(); ++f)
     put(map, view.faces[f], numbers[f] == no_index ? static_cast<Value>(-1) : static_cast<Value>(numbers[f]));
 }
