@@ -4,7 +4,12 @@
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
+#include <Atlas/pipeline/internal/round_coordinates.h>
+#include <Atlas/pipeline/internal/separate_cut_sides.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
+#include <Atlas/segmentation/cut_to_discs.h>
+#include <Atlas/validation/Exact_validator.h>
+#include <Atlas/validation/certify.h>
 #include <Atlas/verify_atlas.h>
 
 #include <CGAL/Polyhedron_3.h>
