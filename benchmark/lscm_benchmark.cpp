@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Chart size x solver: time, memory, residual and energy of LSCM, beside CGAL's in the same run.
-#include <Atlas/parameterization/Conjugate_gradient_LSCM_traits.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_multifrontal.h>
+#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -128,7 +131,7 @@ void lscm_of_cgal(benchmark::State& state)
   state.counters["over_ours_with_its_pins"] = energy / energies(chart).first;
 }
 
-using Eigen_LDLT = Basic_LSCM_traits<internal::Hermitian_LDLT<double>>;
+using Eigen_LDLT = Basic_LSCM_traits<internal::Hermitian_LDLT>;
 using Multifrontal = Basic_LSCM_traits<internal::Hermitian_multifrontal>;
 
 BENCHMARK(lscm_of_cgal)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);

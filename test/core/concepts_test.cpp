@@ -169,12 +169,11 @@ public:
   Solver_archetype(const Solver_archetype&) = delete;
   Solver_archetype& operator=(const Solver_archetype&) = delete;
   bool factorize(const LSCM_system&, const Execution&) { return false; }
-  bool solve(std::vector<internal::Complex>&) { return false; }
+  bool solve(std::span<std::complex<double>>) { return false; }
 };
 struct Traits_archetype : Policy
 {
   using Policy::Policy;
-  using Number_type = double;
   using Solver = Solver_archetype;
   std::vector<LSCM_pin> pins(const Chart&) const { return {}; }
 };
@@ -188,11 +187,10 @@ struct Solver_that_must_be_told : Solver_archetype
 struct Solver_of_real_systems
 {
   bool factorize(const LSCM_system&, const Execution&) { return false; }
-  bool solve(std::vector<double>&) { return false; }
+  bool solve(std::span<double>) { return false; }
 };
 struct Traits_without_solver : Policy
 {
-  using Number_type = double;
   std::vector<LSCM_pin> pins(const Chart&) const { return {}; }
 };
 struct Traits_with_pins_without_places : Traits_archetype

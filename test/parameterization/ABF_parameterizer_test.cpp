@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/concepts.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/parameterization/ABF_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 
@@ -340,6 +342,7 @@ TEST(ABF_parameterizer, single_triangles_and_refusals)
   const Execution execution;
   execution.cancel();
   EXPECT_EQ(ABF_parameterizer().parameterize(chart, execution), Chart_status::cancelled);
+  EXPECT_THROW((void)ABF_parameterizer(0), Invalid_argument);
   ABF_record record;
   ASSERT_EQ(ABF_parameterizer(1).parameterize(chart, Execution(), record), Chart_status::valid);
   EXPECT_FALSE(record.has_converged);

@@ -4,6 +4,7 @@
 #include <Atlas/parameterization/CGAL_parameterizer_adaptor.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The properties that section 2.6 and the appendix of the LSCM paper prove, on the code.
 #include <Atlas/core/concepts.h>
-#include <Atlas/parameterization/Conjugate_gradient_LSCM_traits.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
-#include <Atlas/parameterization/internal/sparse/Vertex_block_cholesky.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>
+#include <Atlas/parameterization/internal/conformal/hermitian_multifrontal.h>
 
 #include <Eigen/Dense>
 
@@ -20,12 +20,10 @@ static_assert(ChartParameterizer<LSCM_parameterizer<>>);
 
 struct Traits_without_pins
 {
-  using Number_type = double;
   using Solver = Eigen_LSCM_traits::Solver;
 };
 struct Traits_with_a_wrong_solver
 {
-  using Number_type = double;
   using Solver = int;
   std::vector<LSCM_pin> pins(const Chart&) const { return {}; }
 };
@@ -304,7 +302,7 @@ TEST(LSCM, the_multifrontal_solver_agrees_with_eigen)
         }))}) {
     Chart a = chart, b = chart;
     LSCM_record record;
-    const LSCM_parameterizer<Basic_LSCM_traits<internal::Hermitian_LDLT<double>>> eigen;
+    const LSCM_parameterizer<Basic_LSCM_traits<internal::Hermitian_LDLT>> eigen;
     const LSCM_parameterizer<Basic_LSCM_traits<internal::Hermitian_multifrontal>> multifrontal;
     ASSERT_EQ(eigen.parameterize(a, Execution()), Chart_status::valid);
     ASSERT_EQ(multifrontal.parameterize(b, Execution(), record), Chart_status::valid);
@@ -312,95 +310,6 @@ TEST(LSCM, the_multifrontal_solver_agrees_with_eigen)
     for (Index v = 0; v < a.uv.size(); ++v)
       EXPECT_LT((a.uv[v] - b.uv[v]).squared_length(), 1e-20);
   }
-}
-
-TEST(Multifrontal_cholesky, solves_hermitian_and_block_systems)
-{
-  // Random positive definite matrices on the graph of a chart, against Eigen's dense solver.
-  const Chart chart = wavy(9, 7);
-  const internal::Graph graph = internal::vertex_graph(chart);
-  const auto n = static_cast<Eigen::Index>(graph.size());
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> value(-1, 1);
-  Eigen::MatrixXcd dense = Eigen::MatrixXcd::Zero(n, n);
-  std::vector<Complex> entries(graph.neighbor.size());
-  for (Eigen::Index v = 0; v < n; ++v) {
-    dense(v, v) = 9;
-    for (std::size_t k = graph.first[v]; k < graph.first[v + 1]; ++k)
-      if (graph.neighbor[k] > v) {
-        const Complex z(value(random), graph.neighbor[k] % 3 == 0 ? value(random) : 0);
-        dense(v, graph.neighbor[k]) = z;
-        dense(graph.neighbor[k], v) = std::conj(z);
-      }
-    for (std::size_t k = graph.first[v]; k < graph.first[v + 1]; ++k)
-      entries[k] = dense(v, graph.neighbor[k]);
-  }
-  const internal::Supernodal_symbolic symbolic(graph, internal::approximate_minimum_degree(graph));
-  internal::Multifrontal_cholesky<1> cholesky(symbolic);
-  for (int round = 0; round < 2; ++round) { // the second reuses the memory of the first
-    ASSERT_TRUE(cholesky.factorize(
-        [](Index, auto add) { add(0, 0, 9.); },
-        [&](std::size_t k, auto add) { add(0, 0, std::conj(entries[symbolic.lower_source(k)])); },
-        [&](std::size_t k) { return entries[symbolic.lower_source(k)].imag() != 0; }));
-    Eigen::VectorXcd b = Eigen::VectorXcd::Random(n);
-    std::vector<Complex> x(n);
-    for (Index c = 0; c < x.size(); ++c)
-      x[c] = b[symbolic.vertex(c)];
-    ASSERT_TRUE(cholesky.solve(x));
-    const Eigen::VectorXcd expected = dense.ldlt().solve(b);
-    for (Index c = 0; c < x.size(); ++c)
-      EXPECT_LT(std::abs(x[c] - expected[symbolic.vertex(c)]), 1e-12);
-  }
-  EXPECT_FALSE(cholesky.factorize([](Index, auto add) { add(0, 0, -9.); },
-                                  [&](std::size_t, auto add) { add(0, 0, Complex(0)); },
-                                  [](std::size_t) { return false; }));
-
-  internal::Vertex_block_cholesky system(chart);
-  Eigen::MatrixXd blocks = Eigen::MatrixXd::Identity(2 * n, 2 * n) * 50;
-  for (Index v = 0; v < graph.size(); ++v)
-    system.add(v, {50, 0, 0, 50});
-  for (Index t = 0; t < chart.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const std::array<double, 4> block{value(random), value(random), value(random), value(random)};
-      system.add(t, i, block);
-      const Index v = chart.triangles[t][i], w = chart.triangles[t][(i + 1) % 3];
-      for (int r = 0; r < 2; ++r)
-        for (int c = 0; c < 2; ++c) {
-          blocks(2 * v + r, 2 * w + c) += block[2 * r + c];
-          blocks(2 * w + c, 2 * v + r) += block[2 * r + c];
-        }
-    }
-  const Eigen::VectorXd right = Eigen::VectorXd::Random(2 * n), solution = blocks.ldlt().solve(right);
-  std::vector<Complex> x(n);
-  for (Eigen::Index v = 0; v < n; ++v)
-    x[v] = {right[2 * v], right[2 * v + 1]};
-  ASSERT_TRUE(system.solve(x));
-  for (Eigen::Index v = 0; v < n; ++v)
-    EXPECT_LT(std::abs(x[v] - Complex(solution[2 * v], solution[2 * v + 1])), 1e-12);
-}
-
-template <typename Scalar>
-void check_dense_update()
-{
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  std::vector<double> packed;
-  for (const auto& [rows, columns, depth] :
-       {std::array{1, 1, 1}, {23, 7, 5}, {24, 24, 1}, {37, 13, 200}, {50, 50, 170}, {61, 3, 48}}) {
-    const Matrix a = Matrix::Random(rows + 3, depth), before = Matrix::Random(rows + 2, columns);
-    Matrix c = before;
-    internal::subtract_outer(c.data(), rows + 2, a.data(), rows + 3, rows, columns, depth, packed);
-    const Matrix expected = before.topRows(rows) - a.topRows(rows) * a.topRows(columns).adjoint();
-    for (int j = 0; j < columns; ++j)
-      for (int i = j; i < rows; ++i)
-        EXPECT_LT(std::abs(c(i, j) - expected(i, j)), 1e-12);
-    EXPECT_EQ(c.bottomRows(2), before.bottomRows(2)); // nothing is written beyond the matrix
-  }
-}
-
-TEST(Dense_update, subtracts_the_outer_product)
-{
-  check_dense_update<double>();
-  check_dense_update<Complex>();
 }
 
 TEST(LSCM, degenerate_triangles_do_not_spoil_their_neighbours)
@@ -478,14 +387,5 @@ TEST(LSCM, charts_that_are_no_discs_end_in_a_status_and_finite_coordinates)
   }
   EXPECT_LT(isometry_defect(flattened(one)), 1e-12);
 }
-
-#ifndef NDEBUG // which compiles CGAL's preconditions out
-TEST(LSCM, user_pins_are_checked)
-{
-  Chart chart = wavy();
-  const LSCM_parameterizer<> one{Eigen_LSCM_traits({{0, Point_2(0, 0)}})};
-  EXPECT_THROW((void)one.parameterize(chart, Execution()), CGAL::Precondition_exception);
-}
-#endif
 
 } // namespace

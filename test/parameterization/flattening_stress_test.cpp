@@ -174,7 +174,7 @@ TEST(Flattening_stress, two_hundred_hard_discs_need_no_split)
     Chart chart = hard_chart(number);
     ASSERT_TRUE(topology(chart).is_disc()) << number;
     Flattening_record record;
-    ASSERT_EQ(Bijective_parameterizer<>().parameterize(chart, Execution(), record), Chart_status::valid)
+    ASSERT_EQ(Bijective_parameterizer().parameterize(chart, Execution(), record), Chart_status::valid)
         << number;
     ASSERT_EQ(chart.uv.size(), chart.points.size());
     for (const auto& [a, b, c] : chart.triangles) // also where the chart has no area in space

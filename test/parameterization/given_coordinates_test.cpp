@@ -2,7 +2,7 @@
 // What a surface, or coordinates that it has, say of seams: constrain_hard_edges(), constrain_to_uv(),
 // Existing_uv_parameterizer.
 #include <Atlas/core/constrain_edges.h>
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 
 #include "test_meshes.h"
@@ -214,7 +214,7 @@ struct Fallback
     return Chart_status::solver_failed;
   }
 };
-static_assert(ChartParameterizer<Existing_uv_parameterizer<Fallback>>);
+static_assert(ChartParameterizer<Existing_uv_parameterizer>);
 
 /// One chart with the given coordinates, flattened; what it comes to.
 std::pair<Chart_status, Chart> given(const std::function<Point_2(const Point_3&, Index)>& f)
@@ -222,11 +222,11 @@ std::pair<Chart_status, Chart> given(const std::function<Point_2(const Point_3&,
   const Surface s = surface_of(planar_grid(3, 2));
   const std::vector<Point_2> uv = coordinates(s, f);
   Chart chart = extract_charts(s, one_chart(s)).at(0);
-  const Chart_status status = Existing_uv_parameterizer<Fallback>(s, uv).parameterize(chart, Execution());
+  const Chart_status status = Existing_uv_parameterizer(s, uv, Fallback()).parameterize(chart, Execution());
   return {status, chart};
 }
 
-TEST(GivenParameterizer, TakesCoordinatesAsTheyAre)
+TEST(Existing_uv_parameterizer, TakesCoordinatesAsTheyAre)
 {
   const auto [status, chart] =
       given([](const Point_3& p, Index) { return Point_2(p.x() + p.y(), 3 * p.y()); });
@@ -237,7 +237,7 @@ TEST(GivenParameterizer, TakesCoordinatesAsTheyAre)
   }
 }
 
-TEST(GivenParameterizer, TurnsOverWhatLiesFaceDown)
+TEST(Existing_uv_parameterizer, TurnsOverWhatLiesFaceDown)
 {
   const auto [status, chart] = given([](const Point_3& p, Index) { return Point_2(p.y(), p.x()); });
   EXPECT_EQ(status, Chart_status::valid);
@@ -246,7 +246,7 @@ TEST(GivenParameterizer, TurnsOverWhatLiesFaceDown)
     EXPECT_EQ(chart.uv[v], Point_2(-chart.points[v].y(), chart.points[v].x()));
 }
 
-TEST(GivenParameterizer, LeavesChartsWithoutCoordinatesOrAreaToTheOther)
+TEST(Existing_uv_parameterizer, LeavesChartsWithoutCoordinatesOrAreaToTheOther)
 {
   const std::vector<std::function<Point_2(const Point_3&, Index)>> unusable{
       [](const Point_3&, Index) { return Point_2(nan, nan); },
@@ -260,7 +260,7 @@ TEST(GivenParameterizer, LeavesChartsWithoutCoordinatesOrAreaToTheOther)
   }
 }
 
-TEST(GivenParameterizer, FindsTheCornersOfOneChartOfMany)
+TEST(Existing_uv_parameterizer, FindsTheCornersOfOneChartOfMany)
 {
   // The second chart: triangles and corners have other numbers than in the surface.
   const Surface s = surface_of(planar_grid(4, 3));
@@ -272,11 +272,25 @@ TEST(GivenParameterizer, FindsTheCornersOfOneChartOfMany)
     return g.chart[t] == 1 ? Point_2(p.x(), p.y()) : Point_2(nan, nan);
   });
   std::vector<Chart> charts = extract_charts(s, g);
-  const Existing_uv_parameterizer<Fallback> parameterizer(s, uv);
+  const Existing_uv_parameterizer parameterizer(s, uv, Fallback());
   EXPECT_EQ(parameterizer.parameterize(charts[0], Execution()), Chart_status::solver_failed);
   EXPECT_EQ(parameterizer.parameterize(charts[1], Execution()), Chart_status::valid);
   for (Index v = 0; v < charts[1].number_of_vertices(); ++v)
     EXPECT_EQ(charts[1].uv[v], Point_2(charts[1].points[v].x(), charts[1].points[v].y()));
+}
+
+TEST(Existing_uv_parameterizer, ChecksThatCoordinatesAndChartsBelongToTheSurface)
+{
+  const Surface s = surface_of(planar_grid(3, 2));
+  std::vector<Point_2> uv = coordinates(s, [](const Point_3& p, Index) { return Point_2(p.x(), p.y()); });
+  Chart chart = extract_charts(s, one_chart(s)).at(0);
+  const Existing_uv_parameterizer parameterizer(s, uv, Fallback());
+  chart.source.back() = static_cast<Index>(s.number_of_triangles());
+  EXPECT_THROW((void)parameterizer.parameterize(chart, Execution()), Invalid_argument);
+  chart.source.pop_back();
+  EXPECT_THROW((void)parameterizer.parameterize(chart, Execution()), Invalid_argument);
+  uv.pop_back();
+  EXPECT_THROW((void)Existing_uv_parameterizer(s, uv), Invalid_argument);
 }
 
 } // namespace

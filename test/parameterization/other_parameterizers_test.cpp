@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The methods that the LSCM paper compares with, where their results are known in closed form.
 #include <Atlas/core/concepts.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/parameterization/ARAP_parameterizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
-#include <Atlas/parameterization/MIPS_optimizer.h>
 #include <Atlas/parameterization/Spectral_parameterizer.h>
-#include <Atlas/parameterization/Stretch_optimizer.h>
-#include <Atlas/parameterization/Symmetric_dirichlet_optimizer.h>
-#include <Atlas/parameterization/Tutte_parameterizer.h>
+#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
+#include <Atlas/parameterization/internal/distortion/distortion_energy.h>
+#include <Atlas/parameterization/internal/geometry/border.h>
+#include <Atlas/parameterization/internal/geometry/injectivity.h>
 
 #include <Eigen/Dense>
 
@@ -246,6 +248,12 @@ TEST(ARAP_parameterizer, is_isometric_on_developable_charts_and_lowers_its_energ
   ASSERT_EQ(Symmetric_dirichlet_optimizer().optimize(dirichlet, Execution()), Chart_status::valid);
   EXPECT_LT(energy(arap), energy(lscm));
   EXPECT_LT(energy(arap), energy(dirichlet));
+}
+
+TEST(ARAP_parameterizer, checks_its_arguments)
+{
+  EXPECT_THROW((void)ARAP_parameterizer(10, -1e-6), Invalid_argument);
+  EXPECT_THROW((void)ARAP_parameterizer(10, std::nan("")), Invalid_argument);
 }
 
 TEST(MIPS_optimizer, makes_maps_conformal)

@@ -347,7 +347,7 @@ TEST(GivenParameterizer, KeepsShapesOfChartsThatAreOneToOneAndMendsTheOthers)
   std::vector<Point_2> uv;
   const Atlas_report report = generate_atlas(surface, uv,
                                              parameters::segmentation(Patch_segmentation())
-                                                 .parameterizer(Existing_uv_parameterizer<>(surface, old))
+                                                 .parameterizer(Existing_uv_parameterizer(surface, old))
                                                  .validator(Exact_validator(1e9, 0)));
   EXPECT_TRUE(report.is_valid());
   EXPECT_EQ(report.charts.size(), 3u);

@@ -4,7 +4,7 @@
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
-#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Normal_segmentation.h>
 #include <Atlas/segmentation/Region_growing_segmentation.h>
@@ -19,7 +19,7 @@
 namespace Atlas::test {
 namespace {
 
-using Trial = Bijective_parameterizer<>;
+using Trial = Bijective_parameterizer;
 static_assert(BoundedSegmentation<Merged_segmentation>);
 
 Merge_options unlimited()

@@ -4,7 +4,7 @@
 #include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
-#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Normal_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>
@@ -21,7 +21,7 @@ namespace {
 template <typename Base = Variational_segmentation>
 Segmentation merged(const Surface& s, const Merge_options& options, const Base& base = Base())
 {
-  return Merged_segmentation(base, Bijective_parameterizer<>(), Identity_optimizer(), options)
+  return Merged_segmentation(base, Bijective_parameterizer(), Identity_optimizer(), options)
       .segment(s, Execution());
 }
 
@@ -181,7 +181,7 @@ TEST(MergeControls, MoreOrdersDoNotMakeSeamsLonger)
     Merge_options options;
     options.orders = orders;
     Segmentation g = start;
-    merge_charts(s, g, options, Bijective_parameterizer<>(), Identity_optimizer());
+    merge_charts(s, g, options, Bijective_parameterizer(), Identity_optimizer());
     EXPECT_LE(length_of_seams(s, g), 1.02 * last); // on the coarse surface lengths differ a little
     last = length_of_seams(s, g);
   }
@@ -197,7 +197,7 @@ TEST(MergeControls, NoMoreOrdersThanTheWorkAllows)
     options.orders = orders;
     options.max_work_of_orders = work;
     Segmentation g = start;
-    merge_charts(s, g, options, Bijective_parameterizer<>(), Identity_optimizer());
+    merge_charts(s, g, options, Bijective_parameterizer(), Identity_optimizer());
     return std::pair(g.chart, g.cut);
   };
   const auto one = merged_in(1, 1'000'000), six = merged_in(6, 1'000'000);
@@ -256,11 +256,11 @@ TEST(MergeControls, NoChartBelowTheLeastArea)
 
 /// The share of the area in charts whose distortion is at most `bound`.
 double share_within(const Surface& s, const Segmentation& g, Distortion_measure measure, double bound,
-                    Finish finish)
+                    Optimize_charts optimize)
 {
   double within = 0;
   for (Chart& chart : extract_charts(s, g)) {
-    EXPECT_EQ(Bijective_parameterizer<>(finish).parameterize(chart, Execution()), Chart_status::valid);
+    EXPECT_EQ(Bijective_parameterizer(optimize).parameterize(chart, Execution()), Chart_status::valid);
     if (value(measure_distortion(chart), measure) <= bound)
       within += area_3d(chart);
   }
@@ -276,7 +276,7 @@ TEST(MergeControls, FewSeamsAreFewer)
   expect_discs(s, g);
   EXPECT_LT(length_of_seams(s, g), length_of_seams(s, usual));
   EXPECT_LE(g.number_of_charts, usual.number_of_charts);
-  EXPECT_NEAR(share_within(s, g, few.measure, few.max_distortion + 0.015, Finish::low_distortion), 1, 1e-12);
+  EXPECT_NEAR(share_within(s, g, few.measure, few.max_distortion + 0.015, Optimize_charts::always), 1, 1e-12);
 }
 
 TEST(MergeControls, ConformalChartsKeepTheirDensities)
@@ -286,13 +286,13 @@ TEST(MergeControls, ConformalChartsKeepTheirDensities)
   options.orders = 1;
   EXPECT_EQ(options.measure, Distortion_measure::area_ratio_quantiles);
   const Segmentation g =
-      Merged_segmentation(Variational_segmentation(), Bijective_parameterizer<>(Finish::as_it_is),
+      Merged_segmentation(Variational_segmentation(), Bijective_parameterizer(Optimize_charts::if_needed),
                           Identity_optimizer(), options)
           .segment(s, Execution());
   expect_discs(s, g);
   const Segmentation base = Variational_segmentation().segment(s, Execution());
   const auto share = [&](const Segmentation& charts) {
-    return share_within(s, charts, options.measure, 2, Finish::as_it_is);
+    return share_within(s, charts, options.measure, 2, Optimize_charts::if_needed);
   };
   Merge_options few = few_seams_options();
   few.orders = 1;

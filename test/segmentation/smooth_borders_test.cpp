@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/extract_charts.h>
-#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/smoothing/minimum_cut.h>

@@ -70,7 +70,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     const Atlas::Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);
     return Atlas::generate_atlas(surface, uv,
                                  common.segmentation(Atlas::Patch_segmentation())
-                                     .parameterizer(Atlas::Existing_uv_parameterizer<>(surface, model.uv))
+                                     .parameterizer(Atlas::Existing_uv_parameterizer(surface, model.uv))
                                      .validator(any_density));
   }
   if (options.separates_materials)

@@ -4,13 +4,8 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/extract_charts.h>
-#include <Atlas/parameterization/internal/angles/Angle_flattener.h>
-#include <Atlas/parameterization/internal/angles/angle_layout.h>
-#include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace Atlas {
@@ -21,9 +16,9 @@ struct ABF_record
   std::vector<std::array<double, 3>> angles; ///< per triangle its angles in the plane, in radians
   int iterations = 0;
   double energy = 0; ///< sum over the corners of (angle / angle asked for - 1)^2
-  double violation =
-      0; ///< the largest amount by which the angles around an inner vertex miss a condition, in
-         ///< radians, or as the logarithm of how much a wheel of triangles does not close up
+  /// The largest amount by which the angles around an inner vertex miss a condition: in radians, or as the
+  /// logarithm of how much a wheel of triangles does not close up.
+  double violation = 0;
   bool has_converged = true; ///< `false`: the limit of iterations came first
 };
 
@@ -53,69 +48,25 @@ public:
   static constexpr double angle_tolerance = 1e-6;
   static constexpr double condition_tolerance = 1e-10;
 
-  explicit ABF_parameterizer(int max_iterations = default_max_iterations) : max_iterations_(max_iterations) {}
+  /// \throws Invalid_argument unless there is one iteration at least
+  explicit ABF_parameterizer(int max_iterations = default_max_iterations);
 
   /// \return `not_a_disc` if the chart is none; `solver_failed` without finite solution. The coordinates are
   /// all zero then.
-  Chart_status parameterize(Chart& chart, const Execution& execution) const
-  {
-    ABF_record record;
-    return parameterize(chart, execution, record);
-  }
+  Chart_status parameterize(Chart& chart, const Execution& execution) const;
 
-  Chart_status parameterize(Chart& chart, const Execution& execution, ABF_record& record) const
-  {
-    record = {};
-    chart.uv.assign(chart.number_of_vertices(), Point_2(0, 0));
-    if (!topology(chart).is_disc())
-      return Chart_status::not_a_disc;
-    const internal::Chart_geometry geometry(chart);
-    const std::array<Index, 2> pins = internal::far_apart_vertices(geometry);
-    for (const double least_height : least_heights) {
-      const std::vector<internal::Triangle_angles> angles =
-          find_angles(geometry, least_height, execution, record);
-      if (execution.is_cancelled())
-        return Chart_status::cancelled;
-      std::vector<internal::Complex> u(chart.number_of_vertices());
-      u[pins[1]] = 1;
-      if (internal::Angle_layout(chart, angles).solve(pins, u)) {
-        internal::store_coordinates(geometry, u, internal::density_correction(geometry, u), chart);
-        return Chart_status::valid;
-      }
-    }
-    return Chart_status::solver_failed;
-  }
+  /// \copydoc parameterize
+  /// \param record  the angles, and how well they were found
+  Chart_status parameterize(Chart& chart, const Execution& execution, ABF_record& record) const;
 
 private:
-  /// Triangles are taken to have this height at least, as a part of their longest edge. A chart that is
-  /// nothing but such triangles may need more of it for a layout in double precision.
-  static constexpr double least_heights[] = {internal::least_relative_height, 1e-6, 1e-3};
-
-  std::vector<internal::Triangle_angles> find_angles(const internal::Chart_geometry& geometry,
-                                                     double least_height, const Execution& execution,
-                                                     ABF_record& record) const
-  {
-    internal::Angle_flattener flattener(geometry, least_height);
-    internal::Vertex_block_cholesky system(geometry.chart());
-    record = {};
-    record.has_converged = false;
-    double change = 0;
-    while (!record.has_converged && std::isfinite(change) && record.iterations < max_iterations_ &&
-           execution.proceed()) {
-      change = flattener.step(system);
-      ++record.iterations;
-      record.has_converged = change <= angle_tolerance && flattener.violation() <= condition_tolerance;
-    }
-    record.energy = flattener.energy();
-    record.violation = flattener.violation();
-    for (const internal::Triangle_angles& a : flattener.angles())
-      record.angles.push_back({a[0], a[1], a[2]});
-    return flattener.angles();
-  }
-
   int max_iterations_;
 };
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/parameterization/internal/angles/ABF_parameterizer_impl.h>
+#endif
 
 #endif

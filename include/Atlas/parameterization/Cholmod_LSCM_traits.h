@@ -8,23 +8,24 @@
 
 #include <Eigen/CholmodSupport>
 
-#include <vector>
+#include <complex>
+#include <span>
 
 namespace Atlas {
 
-namespace internal {
-
-/// Complex L L* of CHOLMOD, which chooses order and method.
-class Cholmod_solver
+/// \brief Complex L L* of CHOLMOD, which chooses order and method.
+class Cholmod_LSCM_solver
 {
 public:
   bool factorize(const LSCM_system& system, const Execution&)
   {
-    cholmod_.compute(free_block<double>(system.energy.matrix(), system.column, system.number_of_columns));
+    const auto n = static_cast<Eigen::Index>(system.size());
+    cholmod_.compute(Eigen::Map<const Matrix>(n, n, static_cast<Eigen::Index>(system.value.size()),
+                                              system.first.data(), system.row.data(), system.value.data()));
     return cholmod_.info() == Eigen::Success;
   }
 
-  bool solve(std::vector<Complex>& b) const
+  bool solve(std::span<std::complex<double>> b)
   {
     Eigen::Map<Eigen::VectorXcd> map(b.data(), static_cast<Eigen::Index>(b.size()));
     map = cholmod_.solve(map.eval()).eval();
@@ -32,13 +33,13 @@ public:
   }
 
 private:
-  Eigen::CholmodDecomposition<Eigen::SparseMatrix<std::complex<double>>> cholmod_;
+  using Matrix = Eigen::SparseMatrix<std::complex<double>>;
+
+  Eigen::CholmodDecomposition<Matrix> cholmod_;
 };
 
-} // namespace internal
-
 /// \brief LSCM by CHOLMOD, for comparison and for those who have it with a fast BLAS.
-using Cholmod_LSCM_traits = Basic_LSCM_traits<internal::Cholmod_solver>;
+using Cholmod_LSCM_traits = Basic_LSCM_traits<Cholmod_LSCM_solver>;
 
 } // namespace Atlas
 

@@ -4,67 +4,72 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/internal/fixed_border/barycentric_map.h>
-#include <Atlas/parameterization/internal/fixed_border/convex_weights.h>
-#include <Atlas/parameterization/internal/geometry/injectivity.h>
-#include <Atlas/parameterization/internal/geometry/normalize_area.h>
-
-#include <vector>
 
 namespace Atlas {
+
+/// \brief With which weights an inner vertex is the mean of its neighbours.
+enum class Barycentric_weights {
+  cotangent,       ///< half the sum of the cotangents of the angles opposite to an edge: Eck et al. 1995
+  mean_value,      ///< Floater 2003; positive
+  shape_preserving ///< Floater 1997; positive
+};
+
+namespace internal {
+
+Chart_status fixed_border_map(Barycentric_weights weights, Chart& chart, const Execution& execution);
+
+} // namespace internal
 
 /// \brief Maps with the border on a circle, arcs in proportion to lengths, and every inner vertex a weighted
 /// mean of its neighbours: the common part of the methods that the LSCM paper compares with.
 ///
 /// The area of the disc is that of the chart. Cost: one sparse factorization, symmetric where the weights
 /// are.
-template <typename Weights>
+template <Barycentric_weights weights>
 class Fixed_border_parameterizer
 {
 public:
   /// \return `not_a_disc` if there is not exactly one border loop; `solver_failed` without finite solution
   Chart_status parameterize(Chart& chart, const Execution& execution) const
   {
-    chart.uv.assign(chart.number_of_vertices(), Point_2(0, 0));
-    const internal::Injectivity_checker checker(chart);
-    if (checker.borders().size() != 1)
-      return Chart_status::not_a_disc;
-    if (execution.is_cancelled())
-      return Chart_status::cancelled;
-    const internal::Chart_geometry geometry(chart);
-    std::vector<internal::Complex> u(chart.number_of_vertices());
-    std::vector<bool> is_fixed(u.size(), true);
-    for (const auto& corner : chart.triangles)
-      for (const Index v : corner)
-        is_fixed[v] = false;
-    for (const Index v : checker.borders().front())
-      is_fixed[v] = true;
-    internal::place_on_circle(geometry, checker.borders().front(), least_share, u);
-    const auto entries = Weights::entries(geometry, is_fixed);
-    const bool is_solved = Weights::is_symmetric
-                               ? internal::solve_symmetric(u.size(), is_fixed, entries, u)
-                               : internal::solve_unsymmetric(u.size(), is_fixed, entries, u);
-    if (!is_solved)
-      return Chart_status::solver_failed;
-    internal::store_coordinates(geometry, u, internal::density_correction(geometry, u), chart);
-    return Chart_status::valid;
+    return internal::fixed_border_map(weights, chart, execution);
   }
-
-private:
-  /// Only so that border vertices in one place do not fall together.
-  static constexpr double least_share = 1e-6;
 };
 
 /// \brief Discrete harmonic maps: cotangent weights, the least Dirichlet energy (Eck et al. 1995). Flips
 /// where angles are obtuse are possible.
-using Harmonic_parameterizer = Fixed_border_parameterizer<internal::Cotangent_weights>;
+using Harmonic_parameterizer = Fixed_border_parameterizer<Barycentric_weights::cotangent>;
 
 /// \brief Mean value coordinates: positive weights, so one-to-one in exact arithmetic (Floater 2003).
-using Mean_value_parameterizer = Fixed_border_parameterizer<internal::Mean_value_weights>;
+using Mean_value_parameterizer = Fixed_border_parameterizer<Barycentric_weights::mean_value>;
 
 /// \brief Shape preserving weights: positive, so one-to-one in exact arithmetic (Floater 1997).
-using Floater_parameterizer = Fixed_border_parameterizer<internal::Shape_preserving_weights>;
+using Floater_parameterizer = Fixed_border_parameterizer<Barycentric_weights::shape_preserving>;
+
+/// \brief Barycentric map onto a disc with all weights equal: Tutte, How to draw a graph, 1963.
+///
+/// The border goes to a circle, every inner vertex to the mean of its neighbours. In exact arithmetic that is
+/// one-to-one for every chart that is a disc, whatever the shapes of its triangles. In double precision,
+/// parts deep inside long tubes shrink below resolution; so the result is checked exactly, and arcs in
+/// proportion to the border's lengths are given up for equal ones if need be. The area of the disc is that of
+/// the chart.
+///
+/// Cost: one or two real sparse factorizations of the inner vertices.
+class Tutte_parameterizer
+{
+public:
+  /// The part of the mean arc that the shortest border edge gets.
+  static constexpr double least_share = 0.1;
+
+  /// \return `valid` only if the map is one-to-one, proved by exact predicates; `flipped` if double precision
+  /// does not suffice; `not_a_disc` if there is not exactly one border loop
+  Chart_status parameterize(Chart& chart, const Execution& execution) const;
+};
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/parameterization/internal/fixed_border/Fixed_border_parameterizer_impl.h>
+#endif
 
 #endif

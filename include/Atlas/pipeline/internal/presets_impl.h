@@ -4,7 +4,7 @@
 
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
-#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>
@@ -22,9 +22,9 @@ inline constexpr int default_trial_iterations = 8;
 inline constexpr double default_trial_tolerance = 1e-3;
 
 /// Whether charts are optimised in a mode.
-inline Finish finish(Atlas_mode mode)
+inline Optimize_charts optimize_charts(Atlas_mode mode)
 {
-  return mode == Atlas_mode::conformal ? Finish::as_it_is : Finish::low_distortion;
+  return mode == Atlas_mode::conformal ? Optimize_charts::if_needed : Optimize_charts::always;
 }
 
 /// The bound on densities that goes with options for merging; infinite where wishes go before.
@@ -38,12 +38,12 @@ inline double max_density_ratio(const Merge_options& options)
 }
 
 /// How unions of charts are flattened for trial.
-inline Any_parameterizer trial_parameterizer(Finish finish)
+inline Any_parameterizer trial_parameterizer(Optimize_charts optimize)
 {
   Distortion_options options;
   options.max_iterations = default_trial_iterations;
   options.tolerance = default_trial_tolerance;
-  return Bijective_parameterizer<>(finish, options);
+  return Bijective_parameterizer(optimize, options);
 }
 
 } // namespace internal
@@ -63,11 +63,11 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
 
 ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
 {
-  const Finish finish = internal::finish(mode);
+  const Optimize_charts optimize = internal::optimize_charts(mode);
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
-  return {Merged_segmentation(Variational_segmentation(), internal::trial_parameterizer(finish),
+  return {Merged_segmentation(Variational_segmentation(), internal::trial_parameterizer(optimize),
                               Identity_optimizer(), options),
-          Bijective_parameterizer<>(finish),
+          Bijective_parameterizer(optimize),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile),
           Culprit_splitter(quantile),

@@ -3,12 +3,14 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_HERMITIAN_MULTIFRONTAL_H
 
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/internal/conformal/conformal_energy.h>
+#include <Atlas/parameterization/LSCM_system.h>
 #include <Atlas/parameterization/internal/sparse/fill_reducing_order.h>
 #include <Atlas/parameterization/internal/sparse/multifrontal_cholesky.h>
 
+#include <complex>
+#include <cstddef>
 #include <memory>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace Atlas::internal {
@@ -17,24 +19,33 @@ namespace Atlas::internal {
 class Hermitian_multifrontal
 {
 public:
-  template <typename System>
-  bool factorize(const System& system, const Execution& execution)
+  bool factorize(const LSCM_system& system, const Execution& execution)
   {
-    Conformal_matrix h = free_part(system.energy.matrix(), system.column, system.number_of_columns);
-    const Graph graph{std::move(h.first), std::move(h.neighbor)};
+    std::vector<int> source; // per neighbour, the entry of the lower triangle
+    const Graph graph = both_triangles(system, source);
     symbolic_ = std::make_unique<Supernodal_symbolic>(graph, approximate_minimum_degree(graph));
     if (!execution.proceed())
       return false;
     cholesky_ = std::make_unique<Multifrontal_cholesky<1>>(*symbolic_);
+    const auto entry = [&](std::size_t k) {
+      const std::size_t place = symbolic_->lower_source(k);
+      const std::complex<double>& z = system.value[static_cast<std::size_t>(source[place])];
+      // The graph's place is (column, row) of the permuted matrix, of which (row, column) is wanted.
+      return graph.neighbor[place] == static_cast<Index>(system.row[static_cast<std::size_t>(source[place])])
+                 ? z
+                 : std::conj(z);
+    };
     return cholesky_->factorize(
-        [&](Index c, auto add) { add(0, 0, h.diagonal[symbolic_->vertex(c)]); },
-        [&](std::size_t k, auto add) { add(0, 0, std::conj(h.entry(symbolic_->lower_source(k)))); },
-        [&](std::size_t k) { return h.half_turns[symbolic_->lower_source(k)] != 0; });
+        [&](Index c, auto add) {
+          add(0, 0, system.value[static_cast<std::size_t>(system.first[symbolic_->vertex(c)])].real());
+        },
+        [&](std::size_t k, auto add) { add(0, 0, entry(k)); },
+        [&](std::size_t k) { return entry(k).imag() != 0; });
   }
 
-  bool solve(std::vector<Complex>& b) const
+  bool solve(std::span<std::complex<double>> b)
   {
-    std::vector<Complex> x(b.size());
+    std::vector<std::complex<double>> x(b.size());
     for (Index c = 0; c < b.size(); ++c)
       x[c] = b[symbolic_->vertex(c)];
     const bool is_solved = cholesky_->solve(x);
@@ -47,31 +58,34 @@ public:
   std::size_t factor_size() const { return cholesky_->factor_size(); }
 
 private:
-  static Conformal_matrix free_part(Conformal_matrix h, const std::vector<Index>& column, std::size_t size)
+  /// The pattern without the diagonal, sorted, and where each entry comes from.
+  static Graph both_triangles(const LSCM_system& system, std::vector<int>& source)
   {
-    // In place: free vertices keep their order, so entries only move towards the front.
-    std::size_t place = 0, begin = 0;
-    for (std::size_t v = 0; v < column.size(); ++v) {
-      const std::size_t end = h.first[v + 1];
-      if (column[v] != no_index) {
-        for (std::size_t k = begin; k < end; ++k)
-          if (const Index c = column[h.neighbor[k]]; c != no_index) {
-            h.neighbor[place] = c;
-            h.re[place] = h.re[k];
-            h.half_turns[place] = h.half_turns[k];
-            ++place;
-          }
-        h.diagonal[column[v]] = h.diagonal[v];
-        h.first[column[v] + 1] = place;
-      }
-      begin = end;
-    }
-    h.neighbor.resize(place);
-    h.re.resize(place);
-    h.half_turns.resize(place);
-    h.diagonal.resize(size);
-    h.first.resize(size + 1);
-    return h;
+    const std::size_t n = system.size();
+    Graph graph{std::vector<std::size_t>(n + 1, 0), {}};
+    const auto for_each_below_diagonal = [&](auto visit) {
+      for (std::size_t c = 0; c < n; ++c)
+        for (auto k = static_cast<std::size_t>(system.first[c]) + 1;
+             k < static_cast<std::size_t>(system.first[c + 1]); ++k)
+          visit(static_cast<std::size_t>(system.row[k]), c, k);
+    };
+    for_each_below_diagonal([&](std::size_t r, std::size_t c, std::size_t) {
+      ++graph.first[r + 1];
+      ++graph.first[c + 1];
+    });
+    for (std::size_t v = 0; v < n; ++v)
+      graph.first[v + 1] += graph.first[v];
+    graph.neighbor.resize(graph.first[n]);
+    source.resize(graph.first[n]);
+    std::vector<std::size_t> place(graph.first.begin(), graph.first.end() - 1);
+    const auto put = [&](std::size_t v, std::size_t w, std::size_t k) {
+      graph.neighbor[place[v]] = static_cast<Index>(w);
+      source[place[v]++] = static_cast<int>(k);
+    };
+    // Columns in increasing order put all smaller neighbours of a vertex first, then the larger ones.
+    for_each_below_diagonal([&](std::size_t r, std::size_t c, std::size_t k) { put(r, c, k); });
+    for_each_below_diagonal([&](std::size_t r, std::size_t c, std::size_t k) { put(c, r, k); });
+    return graph;
   }
 
   std::unique_ptr<Supernodal_symbolic> symbolic_;

@@ -3,6 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_DISTORTION_CHART_HIERARCHY_H
 
 #include <Atlas/core/internal/halfedges.h>
+#include <Atlas/parameterization/internal/distortion/removed_vertex.h>
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
 #include <Atlas/parameterization/internal/geometry/injectivity.h>
 
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -98,7 +98,7 @@ public:
   bool refine(std::size_t level, std::vector<Complex>& u, bool is_inside) const
   {
     for (std::size_t i = levels_[level + 1].number_removed; i-- > levels_[level].number_removed;)
-      if (!put_back(removed_[i], u, is_inside))
+      if (!put_back(geometry_, removed_[i], ring_of(removed_[i]), u, is_inside))
         return false;
     return true;
   }
@@ -109,24 +109,10 @@ private:
   static constexpr double least_part_of_quality = 0.5; ///< or of the worst triangle that goes
   static constexpr double largest_bend = 0.35; ///< of the border: height over chord at a removed vertex
 
-  static constexpr double least_weight_inside = 0.05;
-
-  /// A point in relation to a triangle, by barycentric coordinates.
-  struct Place
+  std::span<const Index> ring_of(const Removed_vertex& removed) const
   {
-    std::array<Index, 3> corner{};
-    std::array<double, 3> weight{};
-    double least = -std::numeric_limits<double>::infinity(); ///< of the weights
-  };
-
-  /// A vertex that was taken away, and the ring around it, counterclockwise; a path at the border.
-  struct Removed
-  {
-    Index vertex, target;
-    std::array<Place, 2> places; ///< where to put it back: as in space, or as in the given map
-    std::size_t first_ring, last_ring;
-    bool is_border;
-  };
+    return {rings_.data() + removed.first_ring, removed.last_ring - removed.first_ring};
+  }
 
   std::size_t mark_border(const std::vector<std::array<Index, 3>>& triangles)
   {
@@ -208,14 +194,9 @@ private:
   /// it. Not positive if it is flipped.
   double quality(Index a, Index b, Index c) const
   {
-    const auto p = geometry_.edge(a, b), q = geometry_.edge(a, c);
-    const double pp = Chart_geometry::squared_length(p), qq = Chart_geometry::squared_length(q),
-                 pq = Chart_geometry::dot(p, q), space2 = pp * qq - pq * pq;
-    const Complex s = u_[b] - u_[a], t = u_[c] - u_[a];
-    const double plane = s.real() * t.imag() - s.imag() * t.real(),
-                 stretched = qq * std::norm(s) - 2 * pq * (s.real() * t.real() + s.imag() * t.imag()) +
-                             pp * std::norm(t);
-    const double result = 4 * std::sqrt(3.) * space2 * plane / (2 * (pp + qq - pq) * stretched);
+    const Mapped_triangle triangle(geometry_.edge(a, b), geometry_.edge(a, c), u_[b] - u_[a], u_[c] - u_[a]);
+    const double result = 4 * std::sqrt(3.) * triangle.space2 * triangle.plane /
+                          (2 * (triangle.pp + triangle.qq - triangle.pq) * triangle.stretched);
     return std::isfinite(result) ? result : 0;
   }
 
@@ -270,7 +251,7 @@ private:
   void remove(Index v, std::span<const Index> star, std::vector<std::array<Index, 3>>& triangles)
   {
     const bool is_border = is_border_[v];
-    Removed removed{v, ring_[target_], {}, rings_.size(), rings_.size() + ring_.size(), is_border};
+    Removed_vertex removed{v, ring_[target_], {}, rings_.size(), rings_.size() + ring_.size(), is_border};
     rings_.insert(rings_.end(), ring_.begin(), ring_.end());
     number_of_border_edges_ -= is_border;
     std::size_t used = 0;
@@ -278,7 +259,8 @@ private:
       const std::array<Index, 3> corner{removed.target, a, b};
       triangles[star[used++]] = corner;
       for (const bool is_plane : {false, true}) {
-        const Place place = is_plane ? place_in_plane(v, corner) : place_in_space(v, corner);
+        const Barycentric_place place =
+            is_plane ? place_in_plane(u_, v, corner) : place_in_space(geometry_, v, corner);
         if (place.least > removed.places[is_plane].least)
           removed.places[is_plane] = place;
       }
@@ -288,134 +270,13 @@ private:
     removed_.push_back(removed);
   }
 
-  Place place_in_plane(Index v, const std::array<Index, 3>& corner) const
-  {
-    std::array<double, 3> area;
-    for (int i = 0; i < 3; ++i) {
-      const Complex p = u_[corner[(i + 1) % 3]] - u_[v], q = u_[corner[(i + 2) % 3]] - u_[v];
-      area[i] = p.real() * q.imag() - p.imag() * q.real();
-    }
-    return place(corner, area);
-  }
-
-  /// The vertex is projected to the plane of the triangle.
-  Place place_in_space(Index v, const std::array<Index, 3>& corner) const
-  {
-    const auto normal =
-        Chart_geometry::cross(geometry_.edge(corner[0], corner[1]), geometry_.edge(corner[0], corner[2]));
-    std::array<double, 3> area;
-    for (int i = 0; i < 3; ++i)
-      area[i] = Chart_geometry::dot(normal, Chart_geometry::cross(geometry_.edge(v, corner[(i + 1) % 3]),
-                                                                  geometry_.edge(v, corner[(i + 2) % 3])));
-    return place(corner, area);
-  }
-
-  static Place place(const std::array<Index, 3>& corner, const std::array<double, 3>& area)
-  {
-    Place result{corner, area};
-    for (double& weight : result.weight)
-      weight /= area[0] + area[1] + area[2];
-    result.least = *std::min_element(result.weight.begin(), result.weight.end());
-    return result;
-  }
-
-  bool put_back(const Removed& removed, std::vector<Complex>& u, bool is_inside) const
-  {
-    const std::span<const Index> ring(rings_.data() + removed.first_ring,
-                                      removed.last_ring - removed.first_ring);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Place& place : removed.places) {
-      const Complex z = at(place, u, is_inside && removed.is_border);
-      if (const double e = energy(removed.vertex, z, ring, removed.is_border, u);
-          e < least && sees(z, ring, removed.is_border, u)) {
-        least = e;
-        u[removed.vertex] = z;
-      }
-    }
-    if (std::isfinite(least))
-      return true;
-    const Complex& origin = u[removed.target];
-    const auto [direction, reach] = way_in(removed, ring, u);
-    constexpr int halvings = 40;
-    double length = reach;
-    for (int i = 0; i < halvings; ++i, length /= 2) {
-      const Complex z = origin + length * direction;
-      if (sees(z, ring, removed.is_border, u)) {
-        u[removed.vertex] = z;
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Symmetric Dirichlet energy of the triangles around v with v at z.
-  double energy(Index v, const Complex& z, std::span<const Index> ring, bool is_border,
-                const std::vector<Complex>& u) const
-  {
-    double sum = 0;
-    for (std::size_t k = 0; k + is_border < ring.size(); ++k) {
-      const Index a = ring[k], b = ring[(k + 1) % ring.size()];
-      const auto p = geometry_.edge(v, a), q = geometry_.edge(v, b);
-      const double pp = Chart_geometry::squared_length(p), qq = Chart_geometry::squared_length(q),
-                   pq = Chart_geometry::dot(p, q), space2 = pp * qq - pq * pq;
-      const Complex s = u[a] - z, t = u[b] - z;
-      const double plane = s.real() * t.imag() - s.imag() * t.real(),
-                   stretched = qq * std::norm(s) - 2 * pq * (s.real() * t.real() + s.imag() * t.imag()) +
-                               pp * std::norm(t);
-      if (space2 > 0)
-        sum += stretched / std::sqrt(space2) * (1 + space2 / (plane * plane));
-    }
-    return sum;
-  }
-
-  static Complex at(const Place& place, const std::vector<Complex>& u, bool is_inside)
-  {
-    std::array<double, 3> weight = place.weight;
-    if (is_inside)
-      for (double& w : weight)
-        w = std::max(w, least_weight_inside);
-    Complex z = 0;
-    for (int i = 0; i < 3; ++i)
-      z += weight[i] / (weight[0] + weight[1] + weight[2]) * u[place.corner[i]];
-    return z;
-  }
-
-  /// From the target into the ring: the mean of the inward normals of the ring's edges there, and a length.
-  static std::pair<Complex, double> way_in(const Removed& removed, std::span<const Index> ring,
-                                           const std::vector<Complex>& u)
-  {
-    const auto i =
-        static_cast<std::size_t>(std::find(ring.begin(), ring.end(), removed.target) - ring.begin());
-    const std::size_t n = ring.size();
-    Complex direction = 0;
-    double reach = 0;
-    const auto add = [&](std::size_t from, std::size_t to) {
-      const Complex along = u[ring[to]] - u[ring[from]];
-      const double length = std::abs(along);
-      direction += Complex(-along.imag(), along.real()) / length;
-      reach = std::max(reach, length);
-    };
-    add(i, (i + 1) % n);
-    add((i + n - 1) % n, i); // at the border the edge that took the place of two
-    return {direction, reach / 2};
-  }
-
-  static bool sees(const Complex& z, std::span<const Index> ring, bool is_border,
-                   const std::vector<Complex>& u)
-  {
-    for (std::size_t k = 0; k + is_border < ring.size(); ++k)
-      if (turn(z, u[ring[k]], u[ring[(k + 1) % ring.size()]]) != CGAL::LEFT_TURN)
-        return false;
-    return true;
-  }
-
   const Chart_geometry& geometry_;
   std::span<const Complex> u_;
   std::vector<bool> is_border_;
   std::vector<std::size_t> depth_; ///< the coarsest level of each vertex
   std::size_t number_of_border_edges_ = 0;
   std::vector<Level> levels_;
-  std::vector<Removed> removed_;
+  std::vector<Removed_vertex> removed_;
   std::vector<Index> rings_; ///< of the removed vertices, one after another
   std::vector<Index> ring_;  ///< of the vertex at hand
   std::size_t target_ = 0;   ///< its place in the ring

@@ -22,6 +22,25 @@ inline void add_weight(Weight_entries& entries, Index v, Index w, double weight)
   entries.emplace_back(static_cast<int>(v), static_cast<int>(w), weight);
 }
 
+/// The same for all neighbours: Tutte 1963.
+struct Equal_weights
+{
+  static constexpr bool is_symmetric = true;
+
+  /// Every inner edge is met from both of its triangles, which doubles all weights alike.
+  static Weight_entries entries(const Chart_geometry& geometry, const std::vector<bool>&)
+  {
+    Weight_entries result;
+    result.reserve(6 * geometry.number_of_triangles());
+    for (const auto& corner : geometry.chart().triangles)
+      for (int i = 0; i < 3; ++i) {
+        add_weight(result, corner[i], corner[(i + 1) % 3], 0.5);
+        add_weight(result, corner[(i + 1) % 3], corner[i], 0.5);
+      }
+    return result;
+  }
+};
+
 /// Half the sum of the cotangents of the two angles opposite to an edge: Eck et al. 1995.
 struct Cotangent_weights
 {
@@ -110,18 +129,18 @@ private:
     ring.clear();
     image.clear();
     std::vector<double> angle{0}, length;
-    Index h = start;
-    do {
-      const Index t = h / 3;
-      const int i = static_cast<int>(h % 3), j = (i + 1) % 3, k = (i + 2) % 3;
-      const Planar_triangle shape = geometry.planar(t);
-      ring.push_back(triangles[t][j]);
-      length.push_back(std::abs(shape.w[k]));
-      angle.push_back(angle.back() + std::abs(std::arg(-shape.w[j] / shape.w[k])));
-      h = opposite[previous_halfedge(h)];
-      if (h == no_index)
-        return false; // no disc around this vertex
-    } while (h != start);
+    const bool is_inner = for_each_in_fan(
+        opposite, start, [&](Index h) { return opposite[h] != no_index; },
+        [&](Index h) {
+          const Index t = h / 3;
+          const int i = static_cast<int>(h % 3), j = (i + 1) % 3, k = (i + 2) % 3;
+          const Planar_triangle shape = geometry.planar(t);
+          ring.push_back(triangles[t][j]);
+          length.push_back(std::abs(shape.w[k]));
+          angle.push_back(angle.back() + std::abs(std::arg(-shape.w[j] / shape.w[k])));
+        });
+    if (!is_inner)
+      return false; // no disc around this vertex
     for (std::size_t k = 0; k < ring.size(); ++k)
       image.push_back(std::polar(length[k], 2 * std::acos(-1.) * angle[k] / angle.back()));
     return true;

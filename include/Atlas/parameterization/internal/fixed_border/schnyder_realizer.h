@@ -81,14 +81,12 @@ private:
   Index head(Index h) const { return tail(next_halfedge(h)); }
   Index turn_left(Index h) const { return opposite_[previous_halfedge(h)]; }
 
-  /// Calls `visit` with the neighbours of v counterclockwise, from any one on, while it returns true.
+  /// Calls `visit` with the neighbours of v counterclockwise, from any one on.
   template <typename Visit>
   void for_each_neighbor(Index v, Visit visit) const
   {
-    Index h = outgoing_[v];
-    do
-      visit(head(h));
-    while ((h = turn_left(h)) != outgoing_[v]);
+    for_each_in_fan(
+        opposite_, outgoing_[v], [](Index) { return true; }, [&](Index h) { visit(head(h)); });
   }
 
   bool are_contour_neighbors(Index v, Index w) const

@@ -3,6 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_GEOMETRY_CHART_GEOMETRY_H
 
 #include <Atlas/core/Chart.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/planar/internal/vectors.h>
 
 #include <algorithm>
@@ -17,6 +18,22 @@ namespace Atlas::internal {
 inline Complex times(const Complex& a, const Complex& b)
 {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// Throws `Invalid_argument` unless all vertices of the triangles exist. O(n).
+inline void check_chart(const Chart& chart)
+{
+  for (const auto& corner : chart.triangles)
+    for (const Index v : corner)
+      require(v < chart.number_of_vertices(), "chart",
+              "must have no triangle with a vertex that does not exist");
+}
+
+/// The same for a chart that comes with coordinates: there must be one for each vertex.
+inline void check_flat_chart(const Chart& chart)
+{
+  check_chart(chart);
+  require(chart.uv.size() == chart.number_of_vertices(), "chart", "must have coordinates for each vertex");
 }
 
 /// Triangles whose height is a smaller part of their longest edge are flattened as if they were this high:

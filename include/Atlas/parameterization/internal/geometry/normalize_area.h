@@ -41,6 +41,16 @@ inline double density_correction(const Chart_geometry& geometry, std::span<const
   return area > 0 ? std::isfinite(scale) && scale > 0 ? scale : 1 : 0;
 }
 
+/// chart.uv in the unit of the geometry: the other way round.
+inline std::vector<Complex> coordinates_of(const Chart_geometry& geometry)
+{
+  std::vector<Complex> u;
+  u.reserve(geometry.number_of_vertices());
+  for (const Point_2& p : geometry.chart().uv)
+    u.emplace_back(geometry.from_model(p.x()), geometry.from_model(p.y()));
+  return u;
+}
+
 /// chart.uv = scale * u, in the unit of the model.
 inline void store_coordinates(const Chart_geometry& geometry, std::span<const Complex> u, double scale,
                               Chart& chart)

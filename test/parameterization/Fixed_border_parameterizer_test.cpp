@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/concepts.h>
-#include <Atlas/parameterization/Tutte_parameterizer.h>
+#include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/internal/geometry/border.h>
+#include <Atlas/parameterization/internal/geometry/injectivity.h>
 
 #include "test_meshes.h"
 
