@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arguments of the segmentation that cannot be are told by name, in every build.
 #include <Atlas/core/errors.h>
-#include <Atlas/parameterization/Identity_optimizer.h>
+#include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
