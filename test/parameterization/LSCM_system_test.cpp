@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/errors.h>
+#include <Atlas/core/internal/halfedges.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/LSCM_system.h>
 #include <Atlas/parameterization/Spectral_parameterizer.h>

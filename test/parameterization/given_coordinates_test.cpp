@@ -3,6 +3,7 @@
 // Existing_uv_parameterizer.
 #include <Atlas/core/constrain_edges.h>
 #include <Atlas/core/errors.h>
+#include <Atlas/measure/area.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 
 #include "test_meshes.h"
