@@ -124,7 +124,7 @@ struct Interactive_LSCM::State
       for (std::size_t v = 0; v < u.size(); ++v)
         u[v] += x[j] * k[v];
     }
-    return std::all_of(u.begin(), u.end(), internal::is_finite);
+    return internal::all_finite(u);
   }
 
   /// The map, and one step of refinement whose forces are summed through the triangles.

@@ -8,7 +8,6 @@
 #include <Atlas/parameterization/internal/geometry/border.h>
 #include <Atlas/parameterization/internal/geometry/normalize_area.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -139,7 +138,7 @@ ATLAS_INLINE Chart_status spectral_map(Chart& chart, LSCM_solver_interface& solv
   std::vector<Complex> x = inverse.lscm();
   if (!inverse.is_developable())
     find_eigenvector(inverse, border_vertices(chart), x, execution);
-  if (!std::all_of(x.begin(), x.end(), is_finite))
+  if (!all_finite(x))
     return Chart_status::solver_failed;
   store_coordinates(geometry, x, density_correction(geometry, x), chart);
   return execution.is_cancelled() ? Chart_status::cancelled : Chart_status::valid;

@@ -5,6 +5,8 @@
 #include <Atlas/parameterization/LSCM_system.h>
 #include <Atlas/parameterization/internal/conformal/conformal_energy.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -85,6 +87,11 @@ inline Complex inner_product(std::span<const Complex> a, std::span<const Complex
 inline bool is_finite(const Complex& z)
 {
   return std::isfinite(z.real()) && std::isfinite(z.imag());
+}
+
+inline bool all_finite(std::span<const Complex> u)
+{
+  return std::all_of(u.begin(), u.end(), [](const Complex& z) { return is_finite(z); });
 }
 
 /// \brief Moves the free vertices of u to the least conformal energy, the others being where they are.
