@@ -3,11 +3,10 @@
 #define ATLAS_PLANAR_INTERNAL_BORDER_TREE_H
 
 #include <Atlas/core/Kernel.h>
+#include <Atlas/planar/internal/box_tree.h>
 #include <Atlas/planar/internal/vectors.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,36 +48,14 @@ public:
   template <typename Visit>
   void for_each_near(const Complex& z, double radius, Visit visit) const
   {
-    Box box;
-    box.add(z + Complex(radius, radius));
-    box.add(z - Complex(radius, radius));
+    Box_2 box;
+    box.add(z.real() + radius, z.imag() + radius);
+    box.add(z.real() - radius, z.imag() - radius);
     if (!edges_.empty())
       for_each_near({0, 0, edges_.size()}, box, visit);
   }
 
 private:
-  struct Box
-  {
-    double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    double high[2] = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-    void add(const Complex& z)
-    {
-      low[0] = std::min(low[0], z.real()), high[0] = std::max(high[0], z.real());
-      low[1] = std::min(low[1], z.imag()), high[1] = std::max(high[1], z.imag());
-    }
-    void add(const Box& box)
-    {
-      for (int i = 0; i < 2; ++i)
-        low[i] = std::min(low[i], box.low[i]), high[i] = std::max(high[i], box.high[i]);
-    }
-    bool meets(const Box& other) const
-    {
-      return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-             other.low[1] <= high[1];
-    }
-  };
-
   /// The node of the edges [begin, end): its left child is next to it, the right one behind that.
   struct Node
   {
@@ -92,10 +69,10 @@ private:
 
   void fit(std::span<const Complex> u, const Node& node)
   {
-    Box& box = boxes_[node.box] = Box();
+    Box_2& box = boxes_[node.box] = Box_2();
     if (node.is_leaf()) {
-      box.add(u[edges_[node.begin].first]);
-      box.add(u[edges_[node.begin].second]);
+      for (const Index v : {edges_[node.begin].first, edges_[node.begin].second})
+        box.add(u[v].real(), u[v].imag());
       return;
     }
     fit(u, node.left());
@@ -124,7 +101,7 @@ private:
   }
 
   template <typename Visit>
-  void for_each_near(const Node& node, const Box& box, Visit& visit) const
+  void for_each_near(const Node& node, const Box_2& box, Visit& visit) const
   {
     if (!boxes_[node.box].meets(box))
       return;
@@ -135,7 +112,7 @@ private:
   }
 
   std::vector<Edge> edges_;
-  std::vector<Box> boxes_;
+  std::vector<Box_2> boxes_;
 };
 
 } // namespace Atlas::internal

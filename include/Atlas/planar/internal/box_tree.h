@@ -37,6 +37,9 @@ struct Box_2
   /// Whether the interiors intersect.
   bool overlaps(const Box_2& b) const { return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1; }
 
+  /// Whether the closed boxes intersect.
+  bool meets(const Box_2& b) const { return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1; }
+
   double squared_distance(const Box_2& b) const
   {
     const double dx = std::max({0.0, b.x0 - x1, x0 - b.x1}), dy = std::max({0.0, b.y0 - y1, y0 - b.y1});

@@ -11,7 +11,7 @@
 namespace Atlas::internal {
 
 /// The convex hull, counterclockwise (monotone chain). One or two points for degenerate sets. O(n log n).
-/// Rounding may lose points by rounding distance: the hull only orients charts, it decides nothing.
+/// Rounding may lose points by rounding distance: hulls only orient and measure charts.
 inline std::vector<Vec2> convex_hull(std::vector<Vec2> points)
 {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -31,6 +31,15 @@ inline std::vector<Vec2> convex_hull(std::vector<Vec2> points)
   chain(points.begin(), points.end());
   chain(points.rbegin(), points.rend());
   return hull;
+}
+
+/// The area of a polygon, counterclockwise, in double precision.
+inline double polygon_area(const std::vector<Vec2>& polygon)
+{
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return twice / 2;
 }
 
 /// The direction of the largest distance between two points of a convex polygon, as a vector; zero for a

@@ -13,16 +13,20 @@
 
 namespace Atlas::internal {
 
-/// Decides whether a set of triangles covers any point of the plane twice, from its border alone.
+/// Decides whether a set of counterclockwise triangles covers any point of the plane twice, from their border
+/// alone.
 ///
-/// How often a point is covered by counterclockwise triangles is the winding number of their border: the
-/// oriented edges that are left when edges run through in both directions have cancelled. A line sweeps over
-/// these edges (Shamos and Hoey 1976). Two of them that cross transversally bound a region that is covered
-/// twice, so the sweep may stop there and never has to compute a point: every decision is an orientation
-/// predicate or a comparison of given coordinates. Edges that touch or run along each other are cut at
-/// the given end points that lie on them, and equal pieces are added up; so contact is no overlap.
+/// An edge that two triangles have in common, once in each direction, says nothing. The edges that are left
+/// are the border, and how often a point is covered is how often the border winds around it. A vertical line
+/// sweeps over these edges from left to right (Shamos and Hoey 1976) and knows, from bottom to top, how often
+/// the gaps between them are covered: more than once ends the sweep. So do two edges that cross, since next
+/// to the crossing there are points that are covered twice. Therefore no crossing is ever computed: all
+/// decisions are orientation predicates and comparisons of given coordinates, and exact.
 ///
-/// O(n log n) for n edges, whatever they are.
+/// Edges that touch or lie on each other do not cross. They are cut at the given end points that lie on them,
+/// and equal pieces are added up. So triangles that only touch cover nothing twice.
+///
+/// O(n log n) for n edges.
 class Coverage_sweep
 {
 public:

@@ -9,12 +9,23 @@
 
 namespace Atlas::internal {
 
+inline Vec2 to_vector(const Point_2& p)
+{
+  return {p.x(), p.y()};
+}
+
+/// Where on the segment from `a` to `b` the point nearest to `p` is: 0 at `a`, 1 at `b`.
+inline double closest_position(Vec2 p, Vec2 a, Vec2 b)
+{
+  const Vec2 d = b - a;
+  const double l = dot(d, d);
+  return l > 0 ? std::clamp(dot(p - a, d) / l, 0.0, 1.0) : 0.0;
+}
+
 /// The point of the segment from `a` to `b` that is nearest to `p`.
 inline Vec2 closest_point(Vec2 p, Vec2 a, Vec2 b)
 {
-  const Vec2 d = b - a;
-  const double l = dot(d, d), t = l > 0 ? std::clamp(dot(p - a, d) / l, 0.0, 1.0) : 0.0;
-  return a + t * d;
+  return a + closest_position(p, a, b) * (b - a);
 }
 
 /// Squared distance of a point from a segment, in double precision.

@@ -38,6 +38,15 @@ inline Vec2 rotated(Vec2 r, Vec2 v)
   return {r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y};
 }
 
+inline Complex to_complex(Vec2 v)
+{
+  return {v.x, v.y};
+}
+inline Vec2 to_vector(const Complex& z)
+{
+  return {z.real(), z.imag()};
+}
+
 } // namespace Atlas::internal
 
 #endif

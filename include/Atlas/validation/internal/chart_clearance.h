@@ -5,6 +5,7 @@
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Kernel.h>
 #include <Atlas/planar/internal/box_tree.h>
+#include <Atlas/planar/internal/segments.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,30 +24,10 @@ struct Border_segment
   Index triangle;
 };
 
-/// Squared distance of a point from a segment, in double precision.
-inline double squared_distance(const Point_2& p, const Point_2& a, const Point_2& b)
-{
-  const Vector_2 d = b - a, v = p - a;
-  const double length = d.squared_length();
-  const double t = length > 0 ? std::clamp((v * d) / length, 0.0, 1.0) : 0.0;
-  return (v - t * d).squared_length();
-}
-
 /// Squared distance of two segments in double precision; zero exactly when they have a point in common.
 inline double squared_distance(const Border_segment& s, const Border_segment& t)
 {
-  const CGAL::Orientation a = CGAL::orientation(s.a, s.b, t.a), b = CGAL::orientation(s.a, s.b, t.b),
-                          c = CGAL::orientation(t.a, t.b, s.a), d = CGAL::orientation(t.a, t.b, s.b);
-  const auto is_in_box = [](const Point_2& p, const Border_segment& of) {
-    const auto [x0, x1] = std::minmax(of.a.x(), of.b.x());
-    const auto [y0, y1] = std::minmax(of.a.y(), of.b.y());
-    return x0 <= p.x() && p.x() <= x1 && y0 <= p.y() && p.y() <= y1;
-  };
-  if ((a * b < 0 && c * d < 0) || (a == 0 && is_in_box(t.a, s)) || (b == 0 && is_in_box(t.b, s)) ||
-      (c == 0 && is_in_box(s.a, t)) || (d == 0 && is_in_box(s.b, t)))
-    return 0;
-  return std::min({squared_distance(s.a, t.a, t.b), squared_distance(s.b, t.a, t.b),
-                   squared_distance(t.a, s.a, s.b), squared_distance(t.b, s.a, s.b)});
+  return squared_distance(to_vector(s.a), to_vector(s.b), to_vector(t.a), to_vector(t.b));
 }
 
 /// The smallest distance between segments of different charts, squared, and the triangles that have it.

@@ -5,23 +5,14 @@
 #include <Atlas/packing/Page_engine.h>
 #include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
+#include <Atlas/planar/internal/vectors.h>
 
-#include <complex>
 #include <optional>
 #include <vector>
 
 namespace Atlas::internal {
 
 // Between what engines see and what the library's own engines work on.
-
-inline std::complex<double> to_complex(Vec2 v)
-{
-  return {v.x, v.y};
-}
-inline Vec2 to_vector(std::complex<double> z)
-{
-  return {z.real(), z.imag()};
-}
 
 inline Page_piece page_piece(const Outline& outline)
 {
@@ -43,7 +34,7 @@ inline Outline outline_of(const Page_piece& piece)
 {
   Outline outline;
   outline.points.reserve(piece.points.size());
-  for (const std::complex<double>& z : piece.points)
+  for (const Complex& z : piece.points)
     outline.points.push_back(to_vector(z));
   outline.segments = piece.segments;
   outline.number_of_border_segments = piece.number_of_border_segments;

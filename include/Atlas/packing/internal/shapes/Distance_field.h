@@ -36,14 +36,14 @@ struct Segment_set
   /// The point of the segment closest to `p`, with a normal that tells whether `p` is outside.
   Closest closest(Index s, Vec2 p) const
   {
-    const Vec2 a = points[segments[s][0]], b = points[segments[s][1]], d = b - a;
-    const double l = dot(d, d), t = l > 0 ? dot(p - a, d) / l : 0.0;
+    const Vec2 a = points[segments[s][0]], b = points[segments[s][1]];
+    const double t = closest_position(p, a, b);
     const bool is_oriented = !segment_normals.empty();
     if (t <= 0)
       return {a, is_oriented ? point_normals[segments[s][0]] : Vec2{}};
     if (t >= 1)
       return {b, is_oriented ? point_normals[segments[s][1]] : Vec2{}};
-    return {a + t * d, is_oriented ? segment_normals[s] : Vec2{}};
+    return {a + t * (b - a), is_oriented ? segment_normals[s] : Vec2{}};
   }
 
   /// Finds the normals of segments that have the chart on their left (`orientation` 1) or right (-1).

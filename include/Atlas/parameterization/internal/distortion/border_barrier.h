@@ -4,6 +4,7 @@
 
 #include <Atlas/parameterization/internal/sparse/Vertex_block_cholesky.h>
 #include <Atlas/planar/internal/border_tree.h>
+#include <Atlas/planar/internal/segments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,8 +93,7 @@ private:
         if (edge.first == guard.vertex || edge.second == guard.vertex)
           return;
         const Complex a = u[edge.first], along = u[edge.second] - a, to = p - a;
-        const double position =
-            std::clamp((along.real() * to.real() + along.imag() * to.imag()) / std::norm(along), 0., 1.);
+        const double position = closest_position(to_vector(p), to_vector(a), to_vector(u[edge.second]));
         const Complex away = to - position * along;
         const double distance = std::abs(away);
         if (distance < guard.range && distance > 0)

@@ -6,6 +6,7 @@
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
 #include <Atlas/planar/internal/border_tree.h>
+#include <Atlas/planar/internal/segments.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -97,10 +98,8 @@ private:
       return e.first == f.second || (turn(p, q, r) == CGAL::COLLINEAR &&
                                      CGAL::angle(to_point(p), to_point(q), to_point(r)) == CGAL::ACUTE);
     }
-    const Complex &p = u[e.first], &q = u[e.second], &r = u[f.first], &s = u[f.second];
-    const int pr = turn(p, q, r), ps = turn(p, q, s), rp = turn(r, s, p), rq = turn(r, s, q);
-    // Collinear edges meet if their boxes do, and the boxes do.
-    return pr * ps <= 0 && rp * rq <= 0;
+    return do_segments_meet(to_vector(u[e.first]), to_vector(u[e.second]), to_vector(u[f.first]),
+                            to_vector(u[f.second]));
   }
 
   const Chart& chart_;

@@ -3,6 +3,8 @@
 #define ATLAS_SEGMENTATION_INTERNAL_MERGING_LAYOUT_QUALITY_H
 
 #include <Atlas/core/Kernel.h>
+#include <Atlas/planar/internal/convex_hull.h>
+#include <Atlas/planar/internal/segments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +21,6 @@ struct Border_edge
   Point_2 source, target;
   Index first, second;
 };
-
-/// The squared distance of two edges that do not cross.
-inline double squared_gap(const Border_edge& a, const Border_edge& b)
-{
-  const auto gap = [](const Point_2& p, const Border_edge& e) {
-    const Vector_2 d = e.target - e.source, v = p - e.source;
-    const double length = d * d, t = length > 0 ? std::clamp(v * d / length, 0.0, 1.0) : 0;
-    return (v - t * d).squared_length();
-  };
-  return std::min({gap(a.source, b), gap(a.target, b), gap(b.source, a), gap(b.target, a)});
-}
-
-/// Whether two edges cross in inner points of both.
-inline bool do_cross(const Border_edge& a, const Border_edge& b)
-{
-  const auto side = [](const Border_edge& e, const Point_2& p) {
-    return CGAL::orientation(e.source, e.target, p);
-  };
-  return side(a, b.source) * side(a, b.target) < 0 && side(b, a.source) * side(b, a.target) < 0;
-}
 
 /// Whether a border loop keeps its distance from itself: no two edges cross or come closer than `share` of
 /// the shorter one, unless at most one edge is between them. A sweep over x: fast for the borders of charts,
@@ -71,7 +53,10 @@ inline bool is_clear(std::vector<Border_edge> edges, double share)
       if (std::min(f->source.y(), f->target.y()) > top + margin ||
           std::max(f->source.y(), f->target.y()) + margin < bottom || leads_to(e, *f) || leads_to(*f, e))
         continue;
-      if (do_cross(e, *f) || squared_gap(e, *f) < share * share * std::min(length(e), length(*f)))
+      const Vec2 a = to_vector(e.source), b = to_vector(e.target), c = to_vector(f->source),
+                 d = to_vector(f->target);
+      if (do_segments_cross(a, b, c, d) ||
+          squared_distance_of_ends(a, b, c, d) < share * share * std::min(length(e), length(*f)))
         return false;
     }
     active.push_back(&e);
@@ -79,28 +64,14 @@ inline bool is_clear(std::vector<Border_edge> edges, double share)
   return true;
 }
 
-/// The area of the convex hull (Andrew's monotone chain). O(n log n).
-inline double hull_area(std::vector<Point_2> points)
+/// The area of the convex hull. O(n log n).
+inline double hull_area(const std::vector<Point_2>& points)
 {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  double twice = 0;
-  std::vector<Point_2> chain;
-  for (int half = 0; half < 2; ++half) {
-    chain.clear();
-    for (const Point_2& p : points) {
-      while (chain.size() > 1 && !CGAL::left_turn(chain[chain.size() - 2], chain.back(), p))
-        chain.pop_back();
-      chain.push_back(p);
-    }
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      twice += (chain[i].x() - points.front().x()) * (chain[i + 1].y() - points.front().y()) -
-               (chain[i + 1].x() - points.front().x()) * (chain[i].y() - points.front().y());
-    if (half == 0)
-      std::reverse(points.begin(), points.end());
-  }
-  // The second chain was measured from its own first point, which is an end of both: no correction is due.
-  return twice / 2;
+  std::vector<Vec2> vectors;
+  vectors.reserve(points.size());
+  for (const Point_2& p : points)
+    vectors.push_back(to_vector(p));
+  return polygon_area(convex_hull(std::move(vectors)));
 }
 
 /// The root mean square distance of two chains of points after the best rotation and translation of the
