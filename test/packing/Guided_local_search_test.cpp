@@ -39,6 +39,19 @@ TEST(Coarse_shape, clusters_hold_every_disc_once_and_lie_around_it)
     }
 }
 
+TEST(Coarse_shape, has_the_same_distances_in_another_unit)
+{
+  for (const test::Chart_family family : test::all_chart_families)
+    for (const Coarse_shape& shape : coarse_shapes(test::random_charts(family, 6, 3))) {
+      const Coarse_shape twice = shape.scaled(2);
+      EXPECT_EQ(twice.radius, 2 * shape.radius);
+      EXPECT_EQ(twice.extent(0.3), 2 * shape.extent(0.3));
+      for (const float x : {-0.7f, -0.1f, 0.2f})
+        for (const float y : {-0.3f, 0.05f, 0.8f})
+          EXPECT_NEAR(twice.distance(2 * x, 2 * y), 2 * shape.distance(x, y), 1e-5);
+    }
+}
+
 TEST(Coarse_shape, slopes_are_those_of_its_distances)
 {
   for (const test::Chart_family family : test::all_chart_families)
@@ -95,6 +108,21 @@ TEST(Guided_local_search, spreads_what_has_room_and_tells_what_has_none)
 
   layout = pile(130);
   EXPECT_GT(search.solve(layout, 10, search.work() + 100'000'000), 0);
+}
+
+TEST(Guided_local_search, goes_around_obstacles)
+{
+  auto shapes = coarse_shapes(four_squares());
+  shapes[3] = shapes[3].scaled(100); // in texels
+  Guided_local_search search(shapes, {210, 210, 0, 0, {{1, 0}}, 1}, 1);
+  Shape_layout layout = pile(100);
+  layout.positions[3] = {155, 55};
+  EXPECT_EQ(search.solve(layout, 40, 100'000'000), 0);
+  EXPECT_EQ(layout.positions[3], (Vec2{155, 55}));
+  std::array<int, 4> quarters{};
+  for (const Vec2& p : layout.positions)
+    ++quarters[(p.x > 105 ? 1u : 0u) + (p.y > 105 ? 2u : 0u)];
+  EXPECT_EQ(quarters, (std::array<int, 4>{1, 1, 1, 1}));
 }
 
 TEST(Guided_local_search, goes_down_the_slope_of_overlaps)

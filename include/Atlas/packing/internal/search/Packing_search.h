@@ -33,10 +33,10 @@ public:
   Packing_search(const Packing_problem& problem, unsigned number)
       : problem_(&problem), number_(number), random_(1234567 + 7919 * number),
         empty_(problem.empty_page(problem.pixel())), frame_(empty_),
-        elastic_(problem.shapes,
-                 {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
-                  problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn,
-                  problem.obstacles().size()}),
+        relaxation_(problem.shapes,
+                    {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
+                     problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn,
+                     problem.obstacles().size()}),
         overlap_(problem.coarse,
                  {problem.width, problem.height, problem.gutter - problem.leniency(),
                   problem.gutter / 2 + problem.tolerance, problem.allowed_turns, problem.obstacles().size()},
@@ -45,21 +45,21 @@ public:
 
   /// The best layout so far that keeps the gutter exactly; its scale is 0 if there is none yet.
   const Shape_layout& best() const { return best_; }
-  std::uint64_t work() const { return work_ + elastic_.work() + overlap_.work(); }
+  std::uint64_t work() const { return work_ + relaxation_.work() + overlap_.work(); }
 
   /// Builds the first layout.
   void start(const Execution& execution)
   {
     best_ = current_ = problem_->fallback;
-    elastic_.assign(best_);
+    relaxation_.assign(best_);
     std::optional<Shape_layout> layout = build(execution);
     if (!layout)
       return;
-    elastic_.assign(std::move(*layout));
-    bool is_relaxed = elastic_.relax(60);
+    relaxation_.assign(std::move(*layout));
+    bool is_relaxed = relaxation_.relax(60);
     for (int i = 0; i < 8 && !is_relaxed; ++i) {
-      elastic_.set_scale(elastic_.layout().scale * 0.985);
-      is_relaxed = elastic_.relax(40);
+      relaxation_.set_scale(relaxation_.layout().scale * 0.985);
+      is_relaxed = relaxation_.relax(40);
     }
     if (is_relaxed && accept())
       inflate(0.006, start_work());
@@ -69,7 +69,7 @@ public:
   /// Goes on from another layout.
   void restart(const Shape_layout& layout)
   {
-    elastic_.assign(layout);
+    relaxation_.assign(layout);
     current_ = candidate_ = layout;
     if (layout.scale > best_.scale)
       best_ = layout;
@@ -115,11 +115,11 @@ public:
   /// Lowers the scale of the best layout; false if that cannot be done.
   bool shrink(double scale)
   {
-    elastic_.assign(best_);
-    elastic_.set_scale(scale);
+    relaxation_.assign(best_);
+    relaxation_.set_scale(scale);
     for (int attempt = 0; attempt < 4; ++attempt)
-      if (elastic_.relax(60) && is_exact()) {
-        best_ = elastic_.layout();
+      if (relaxation_.relax(60) && is_exact()) {
+        best_ = relaxation_.layout();
         return true;
       }
     return false;
@@ -197,12 +197,12 @@ private:
   /// Pushes the shapes of a layout apart, at its scale or a smaller one that is still better than the best.
   void settle(const Shape_layout& layout)
   {
-    elastic_.assign(layout);
-    bool is_relaxed = elastic_.relax(60);
+    relaxation_.assign(layout);
+    bool is_relaxed = relaxation_.relax(60);
     for (double scale = layout.scale; !is_relaxed && scale > best_.scale * 1.0005;) {
       scale = std::max(best_.scale * 1.0004, 0.99 * scale);
-      elastic_.set_scale(scale);
-      is_relaxed = elastic_.relax(40);
+      relaxation_.set_scale(scale);
+      is_relaxed = relaxation_.relax(40);
     }
     if (is_relaxed && accept())
       inflate(0.004, std::numeric_limits<std::uint64_t>::max());
@@ -223,13 +223,13 @@ private:
   bool accept()
   {
     for (int attempt = 0; attempt < 3; ++attempt) {
-      if (elastic_.layout().scale <= best_.scale)
+      if (relaxation_.layout().scale <= best_.scale)
         return true;
       if (is_exact()) {
-        best_ = elastic_.layout();
+        best_ = relaxation_.layout();
         return true;
       }
-      if (!elastic_.relax(30))
+      if (!relaxation_.relax(30))
         return false;
     }
     return false;
@@ -237,7 +237,7 @@ private:
 
   bool is_exact()
   {
-    const std::vector<Placed_outline> placed = problem_->placed(elastic_.layout());
+    const std::vector<Placed_outline> placed = problem_->placed(relaxation_.layout());
     bool is_good = true;
     const double border = problem_->gutter / 2;
     std::size_t segments = 0;
@@ -248,7 +248,7 @@ private:
       segments += placed[i].points.size();
       if (least < border) {
         is_good = false;
-        elastic_.widen(i, border - least + slack());
+        relaxation_.widen(i, border - least + slack());
       }
     }
     work_ += 400 * segments;
@@ -264,7 +264,7 @@ private:
     for (Index i = 0; i < placed.size(); ++i)
       if (missing[i] > 0) {
         is_good = false;
-        elastic_.widen(i, missing[i] / 2 + slack());
+        relaxation_.widen(i, missing[i] / 2 + slack());
       }
     return is_good;
   }
@@ -272,19 +272,19 @@ private:
   /// Goes back to an earlier state but for the work that has been done.
   void go_back(const Contact_relaxation& state)
   {
-    const std::uint64_t done = elastic_.work();
-    elastic_ = state;
-    elastic_.set_work(done);
+    const std::uint64_t done = relaxation_.work();
+    relaxation_ = state;
+    relaxation_.set_work(done);
   }
 
   /// Raises the scale in ever smaller steps as long as shapes can be pushed apart.
   void inflate(double step, std::uint64_t work_limit)
   {
-    Contact_relaxation good = elastic_;
+    Contact_relaxation good = relaxation_;
     while (step > 0.0004 && work() < work_limit) {
-      elastic_.set_scale(good.layout().scale * (1 + step));
-      if (elastic_.relax(100))
-        good = elastic_;
+      relaxation_.set_scale(good.layout().scale * (1 + step));
+      if (relaxation_.relax(100))
+        good = relaxation_;
       else {
         step /= 2.5;
         go_back(good);
@@ -354,21 +354,21 @@ private:
     work_ += 1000;
     if (!rebuild(layout))
       return;
-    const Contact_relaxation before = elastic_;
-    elastic_.move_to(layout);
-    elastic_.set_scale(scale * (1 + 0.001 + 0.004 * uniform()));
-    bool is_relaxed = elastic_.relax(48);
+    const Contact_relaxation before = relaxation_;
+    relaxation_.move_to(layout);
+    relaxation_.set_scale(scale * (1 + 0.001 + 0.004 * uniform()));
+    bool is_relaxed = relaxation_.relax(48);
     if (!is_relaxed) {
-      elastic_.set_scale(scale * (1 - 0.001 * (0.5 - std::log(uniform()))));
-      is_relaxed = elastic_.relax(40);
+      relaxation_.set_scale(scale * (1 - 0.001 * (0.5 - std::log(uniform()))));
+      is_relaxed = relaxation_.relax(40);
     }
     if (!is_relaxed) {
       go_back(before);
       return;
     }
     inflate(0.003, std::numeric_limits<std::uint64_t>::max());
-    if (elastic_.layout().scale >= scale * (1 - loss))
-      current_ = elastic_.layout();
+    if (relaxation_.layout().scale >= scale * (1 - loss))
+      current_ = relaxation_.layout();
     else
       go_back(before);
   }
@@ -377,7 +377,7 @@ private:
   unsigned number_;
   std::mt19937_64 random_;
   Raster_frame empty_, frame_; ///< the obstacles; and what a layout is rebuilt on
-  Contact_relaxation elastic_;
+  Contact_relaxation relaxation_;
   Guided_local_search overlap_;
   Shape_layout best_, current_, candidate_;
   double step_ = 0.03; ///< by which the next scale is larger
