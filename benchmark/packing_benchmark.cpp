@@ -6,11 +6,11 @@
 // file with texture coordinates is packed anew as it is; the charts of any other are made by the default
 // segmentation and flattening. With --pictures nothing is measured: the page of each packer for the first
 // file, which needs coordinates, becomes PREFIX_rectangles.png, ..., PREFIX_best.png.
-#include <Atlas/IO/read_obj.h>
+#include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/image/draw_atlas.h>
-#include <Atlas/image/write_png.h>
+#include <Atlas/image/image_files.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/Rectangle_packer.h>
@@ -76,7 +76,7 @@ struct No_packer
 
 std::vector<Chart> charts_of_file(const std::string& file, const Execution& execution)
 {
-  const Polygon_soup soup = read_obj(file);
+  const Polygon_soup soup = read_polygon_soup(file);
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
   if (soup.uv.empty())
     return flattened_charts(surface, execution);
@@ -141,7 +141,7 @@ void draw(const Packer& packer, Polygon_soup soup, const Surface& surface, const
 void draw_all(const std::string& file, const std::string& prefix, const Page_options& page,
               const Execution& execution)
 {
-  const Polygon_soup soup = read_obj(file);
+  const Polygon_soup soup = read_polygon_soup(file);
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
   const auto draw_one = [&](const auto& packer, const char* name) {
     draw(packer, soup, surface, page, prefix + "_" + name + ".png", execution);

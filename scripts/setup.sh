@@ -5,7 +5,7 @@
 ATLAS_LIBRARY_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev libpng-dev
                         libtinygltf-dev nlohmann-json3-dev)
 ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
-ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev)
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags)
 ATLAS_CHECK_PACKAGES=(clang-format)
 
 say() { printf '\n== %s\n' "$*" >&2; }

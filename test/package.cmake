@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: MIT
 # Tests of the package as a whole: its headers one by one, its licence border, its use from outside.
 
-include(${PROJECT_SOURCE_DIR}/cmake/AtlasIO.cmake)
 
 set(atlas_include ${PROJECT_SOURCE_DIR}/include)
 file(GLOB_RECURSE atlas_headers RELATIVE ${atlas_include} CONFIGURE_DEPENDS ${atlas_include}/Atlas/*.h)
+set(atlas_public_headers ${atlas_headers})
+list(FILTER atlas_public_headers EXCLUDE REGEX "/internal/")
 
 # Headers that stand on more than CGAL's LGPL parts, Boost and Eigen; each says so.
 set(atlas_gpl_headers ${atlas_headers})
-list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|bake_ambient_occlusion")
+list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|/occlusion/")
 set(atlas_optional_headers ${atlas_headers})
-list(FILTER atlas_optional_headers INCLUDE REGEX "^Atlas/IO/|Stencil_validator|OSMesa")
+list(FILTER atlas_optional_headers INCLUDE REGEX "/internal/rendering/|Stencil_validator|OSMesa")
 list(APPEND atlas_optional_headers ${atlas_gpl_headers})
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 
-# atlas_header_checks(NAME SOURCES...): sources that only need to compile.
-function(atlas_header_checks name)
+# atlas_header_checks(NAME SUFFIX SOURCES...): sources that only need to compile.
+function(atlas_header_checks name suffix)
   add_library(${name} OBJECT ${ARGN})
-  target_link_libraries(${name} PRIVATE Atlas::IO)
+  target_link_libraries(${name} PRIVATE Atlas::IO${suffix} Atlas::Rendering${suffix} Atlas::Occlusion${suffix}
+                                        OSMesa::OSMesa)
   target_compile_options(${name} PRIVATE ${ATLAS_WARNINGS} -O0 -g0)
   target_include_directories(${name} SYSTEM PRIVATE ${CHOLMOD_INCLUDE_DIR})
 endfunction()
@@ -47,8 +49,6 @@ endfunction()
 
 # Every public header compiles alone, and twice. Those that include Atlas/core/Kernel.h find it precompiled: CGAL's kernel
 # takes longer than all the rest.
-set(atlas_public_headers ${atlas_headers})
-list(FILTER atlas_public_headers EXCLUDE REGEX "/internal/")
 foreach(header IN LISTS atlas_public_headers)
   string(REGEX REPLACE "[/.]" "_" name ${header})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
@@ -60,21 +60,32 @@ foreach(header IN LISTS atlas_public_headers)
     list(APPEND sources_without_kernel ${source})
   endif()
 endforeach()
-atlas_header_checks(atlas_headers_alone ${sources_without_kernel})
-atlas_header_checks(atlas_kernel_headers_alone ${sources_with_kernel})
+atlas_header_checks(atlas_headers_alone _headers ${sources_without_kernel})
+atlas_header_checks(atlas_kernel_headers_alone _headers ${sources_with_kernel})
 target_precompile_headers(atlas_kernel_headers_alone PRIVATE ${atlas_include}/Atlas/core/Kernel.h)
 
-# All headers but those that say so compile when CGAL refuses its GPL packages; without a library, so that all
-# definitions get along with each other, too.
+# All headers but those that say so, and all definitions behind them, go together without a library, and compile when
+# CGAL refuses its GPL packages.
 set(content)
 foreach(header IN LISTS atlas_headers)
   if(NOT header IN_LIST atlas_gpl_headers)
     string(APPEND content "#include <${header}>\n")
   endif()
 endforeach()
-file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/licence.cpp CONTENT "${content}" @ONLY)
-atlas_header_checks(atlas_licence ${CMAKE_CURRENT_BINARY_DIR}/headers/licence.cpp)
-target_compile_definitions(atlas_licence PRIVATE CGAL_LICENSE_ERROR ATLAS_HEADER_ONLY)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/all.cpp CONTENT "${content}" @ONLY)
+atlas_header_checks(atlas_headers_together _header_only ${CMAKE_CURRENT_BINARY_DIR}/headers/all.cpp)
+target_compile_definitions(atlas_headers_together PRIVATE CGAL_LICENSE_ERROR)
+
+# Then nothing is defined that a second source would define again: no symbol but weak and local ones.
+add_test(NAME Package.HeadersAloneDefineNothingTwice
+         COMMAND ${CMAKE_COMMAND} -E env ${CMAKE_NM} -C -g --defined-only $<TARGET_OBJECTS:atlas_headers_together>)
+set_tests_properties(Package.HeadersAloneDefineNothingTwice PROPERTIES FAIL_REGULAR_EXPRESSION " [TDBRC] ")
+
+# What a user meets stays small: public headers, files and functions.
+list(LENGTH atlas_public_headers count)
+add_test(NAME Package.AtMost60PublicHeaders COMMAND ${CMAKE_COMMAND} -E echo "${count} public headers")
+set_tests_properties(Package.AtMost60PublicHeaders PROPERTIES PASS_REGULAR_EXPRESSION "^([1-5]?[0-9]|60) public")
+add_test(NAME Package.FilesAndFunctionsAreShort COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_sizes.sh)
 
 # atlas_must_not_compile(NAME SOURCE DEFINITION ERRORS...): the compiler refuses the source, and each of the regular
 # expressions matches one of its errors.
@@ -124,15 +135,41 @@ cmake_language(DEFER CALL atlas_check_test_lists)
 set(consumer ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 add_test(NAME Package.Install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${consumer}/prefix)
 set_tests_properties(Package.Install PROPERTIES FIXTURES_SETUP atlas_installed)
-# atlas_consumer_test(NAME OPTION): builds and runs the consumer project.
-function(atlas_consumer_test name option)
+
+# atlas_consumer_test(NAME TARGETS OPTIONS...): configures the consumer project and builds its targets; runs them.
+function(atlas_consumer_test name targets)
+  set(build)
+  foreach(target IN LISTS targets)
+    list(APPEND build --build-target ${target})
+  endforeach()
+  set(options)
+  foreach(option IN LISTS ARGN)
+    list(APPEND options ${option})
+  endforeach()
   add_test(NAME ${name}
            COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer ${consumer}/${name}
-                   --build-generator ${CMAKE_GENERATOR} --build-makeprogram ${CMAKE_MAKE_PROGRAM}
-                   --build-options ${option} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                   --build-generator ${CMAKE_GENERATOR} --build-makeprogram ${CMAKE_MAKE_PROGRAM} ${build}
+                   --build-options ${options} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
                    -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
-                   --test-command consumer)
+                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure)
 endfunction()
-atlas_consumer_test(Package.FindPackage -DCMAKE_PREFIX_PATH=${consumer}/prefix)
-set_tests_properties(Package.FindPackage PROPERTIES FIXTURES_REQUIRED atlas_installed)
-atlas_consumer_test(Package.AddSubdirectory -DATLAS_SOURCE_DIR=${PROJECT_SOURCE_DIR})
+function(atlas_installed_test name found)
+  string(REPLACE ";" "," found "${found}")
+  atlas_consumer_test(${name} "${consumer_targets}" -DCMAKE_PREFIX_PATH=${consumer}/prefix -DEXPECTED=${found} ${ARGN})
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED atlas_installed)
+endfunction()
+set(consumer_targets all)
+atlas_installed_test(Package.FindPackage "IO;Rendering;Occlusion")
+# What a component needs may be missing: then it is not found, and nothing else fails.
+set(consumer_targets help)
+atlas_installed_test(Package.FindPackageWithoutOSMesa "IO;Occlusion" -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON)
+atlas_installed_test(Package.FindPackageWithoutPNG "Rendering" -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
+add_test(NAME Package.ConfigureWithoutOSMesa
+         COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${consumer}/without_osmesa -G ${CMAKE_GENERATOR}
+                 -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON
+                 -DATLAS_BUILD_TESTS=OFF)
+set_tests_properties(Package.ConfigureWithoutOSMesa PROPERTIES
+                     PASS_REGULAR_EXPRESSION "without its component Rendering; not found: OSMesa.*Generating done"
+                     FAIL_REGULAR_EXPRESSION "CMake Error")
+# As a subdirectory: what needs no library of Atlas, since that would be compiled once more.
+atlas_consumer_test(Package.AddSubdirectory consumer_header_only -DATLAS_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DEXPECTED=IO)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the writers write, as the library assimp reads it: every corner has its position, its texture
 // coordinates and the picture of its page.
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_obj.h>
-#include <Atlas/IO/write_ply.h>
+#include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
 
 #include "baked_soups.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What is written as glTF and PLY is read back; formats with one set of attributes per vertex split vertices.
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_ply.h>
-#include <Atlas/image/checkerboard.h>
-#include <Atlas/image/write_png.h>
-#include <Atlas/soup/split_vertices.h>
+#include <Atlas/IO/write_model.h>
+#include <Atlas/image/Image.h>
+#include <Atlas/image/image_files.h>
+#include <Atlas/soup/internal/split_vertices.h>
 
 #include "temporary_folder.h"
 #include <cmath>
@@ -50,8 +49,8 @@ void expect_same_corners(const Polygon_soup& a, const Polygon_soup& b)
 
 TEST(Split_vertices, splits_only_where_corners_differ)
 {
-  const Split_vertices whole = split_vertices(two_triangles(false)),
-                       cut = split_vertices(two_triangles(true));
+  const internal::Split_vertices whole = internal::split_vertices(two_triangles(false)),
+                       cut = internal::split_vertices(two_triangles(true));
   EXPECT_EQ(whole.original, (std::vector<Index>{1, 2, 3, 4}));
   EXPECT_EQ(whole.corner, (std::vector<Index>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(cut.original, (std::vector<Index>{1, 2, 3, 1, 3, 4}));
@@ -117,7 +116,7 @@ TEST(Write_ply, both_styles_come_back_the_same)
   for (const Ply_texcoord_style style : {Ply_texcoord_style::wedge, Ply_texcoord_style::vertex}) {
     const Polygon_soup soup = two_triangles(true);
     write_ply(folder / "a.ply", soup, "t.png", style);
-    const Polygon_soup back = read_ply(folder / "a.ply");
+    const Polygon_soup back = read_polygon_soup(folder / "a.ply");
     expect_same_corners(soup, back);
     EXPECT_EQ(back.points.size(), style == Ply_texcoord_style::wedge ? 5u : 6u);
     EXPECT_NE(test::bytes_of(folder / "a.ply").find("comment TextureFile t.png\n"), std::string::npos);
@@ -135,7 +134,7 @@ TEST(Write_ply, polygons_of_many_corners)
   }
   soup.close_face();
   write_ply(folder / "a.ply", soup, "");
-  const Polygon_soup back = read_ply(folder / "a.ply");
+  const Polygon_soup back = read_polygon_soup(folder / "a.ply");
   EXPECT_EQ(back.vertices, soup.vertices);
   EXPECT_EQ(back.uv, soup.uv);
   EXPECT_EQ(back.points, soup.points);

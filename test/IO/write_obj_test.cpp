@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/IO/read_obj.h>
-#include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/read_polygon_soup.h>
+#include <Atlas/IO/write_model.h>
+#include <Atlas/image/internal/Output_file.h>
 
 #include "temporary_folder.h"
 #include <cmath>
@@ -51,7 +52,7 @@ TEST(Write_obj, comes_back_the_same_to_the_last_bit)
   const test::Temporary_folder folder;
   const Polygon_soup soup = rich_soup();
   write_obj(folder / "ü a.obj", soup, "t.png");
-  const Polygon_soup back = read_obj(folder / "ü a.obj");
+  const Polygon_soup back = read_polygon_soup(folder / "ü a.obj");
   EXPECT_EQ(back.points, soup.points);
   EXPECT_EQ(back.first, soup.first);
   EXPECT_EQ(back.vertices, soup.vertices);
@@ -86,7 +87,7 @@ TEST(Write_obj, indices_that_do_not_exist_come_out_as_they_came_in)
 {
   const test::Temporary_folder folder;
   const std::string text = "v 0 0 0\nf 1 0 9000\n";
-  write_obj(folder / "b.obj", read_obj(folder.write("a.obj", text)));
+  write_obj(folder / "b.obj", read_polygon_soup(folder.write("a.obj", text)));
   EXPECT_EQ(test::bytes_of(folder / "b.obj"), "# written by Atlas\n" + text);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/bake/bake_normals.h>
+#include <Atlas/bake/bake_texture.h>
 
 #include "baked_soups.h"
 #include <cmath>

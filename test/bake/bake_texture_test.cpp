@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/bake/nearest_texel.h>
+#include <Atlas/bake/internal/nearest_texels.h>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Nearest_texels, equals_brute_force)
     for (std::size_t i = 0; i < is_covered.size(); ++i)
       is_covered[i] = static_cast<int>(random() % 400) < share;
     is_covered[77] = true;
-    const std::vector<Index> nearest = nearest_texels(is_covered, width, height);
+    const std::vector<Index> nearest = internal::nearest_texels(is_covered, width, height);
     const auto squared_distance = [&](std::size_t i, std::size_t j) {
       const double dx = double(i % width) - double(j % width), dy = double(i / width) - double(j / width);
       return dx * dx + dy * dy;
@@ -52,7 +52,7 @@ TEST(Nearest_texels, equals_brute_force)
 
 TEST(Nearest_texels, without_any_covered_texel)
 {
-  EXPECT_EQ(nearest_texels(std::vector<bool>(12, false), 4, 3), std::vector<Index>(12, no_index));
+  EXPECT_EQ(internal::nearest_texels(std::vector<bool>(12, false), 4, 3), std::vector<Index>(12, no_index));
 }
 
 TEST(Bake_vertex_colors, fills_pages_that_are_not_square)

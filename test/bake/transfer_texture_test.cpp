@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/read_textures.h>
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_obj.h>
-#include <Atlas/IO/write_ply.h>
-#include <Atlas/bake/transfer_texture.h>
-#include <Atlas/image/write_png.h>
+#include <Atlas/IO/write_model.h>
+#include <Atlas/bake/bake_texture.h>
+#include <Atlas/image/image_files.h>
 
 #include "temporary_folder.h"
 #include <algorithm>

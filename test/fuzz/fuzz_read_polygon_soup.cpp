@@ -2,8 +2,10 @@
 // Any bytes as a mesh file: either a soup that keeps its promises, or an IO_error of one line. The first byte
 // tells the format, the others are the file.
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/image/internal/Output_file.h>
 
 #include <array>
 #include <cstddef>

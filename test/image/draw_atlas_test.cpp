@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/image/checkerboard.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/image_files.h>
 #include <Atlas/image/render_model.h>
-#include <Atlas/image/write_png.h>
 
 #include "temporary_folder.h"
 #include <cmath>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Several pages through every format and into pictures.
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_obj.h>
-#include <Atlas/IO/write_ply.h>
+#include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/image_files.h>
 #include <Atlas/image/pages.h>
-#include <Atlas/image/write_png.h>
 
 #include "temporary_folder.h"
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/report/write_html_report.h>
+#include <Atlas/image/internal/base64.h>
+#include <Atlas/report/write_report.h>
 #include <Atlas/soup/face_distortion.h>
 
 #include "temporary_folder.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Faces of mixed orientation.
+#include <Atlas/soup/internal/turn_face.h>
 #include <Atlas/soup/orient_faces.h>
 
 #include "baked_soups.h"

@@ -2,7 +2,7 @@
 // Everything that runs on several threads, for the thread sanitizer: see README.md.
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/bake/bake_ambient_occlusion.h>
-#include <Atlas/bake/bake_normals.h>
+#include <Atlas/bake/bake_texture.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/validation/certify.h>
 

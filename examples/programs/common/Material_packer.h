@@ -2,11 +2,15 @@
 #ifndef MATERIAL_PACKER_H
 #define MATERIAL_PACKER_H
 
-#include <Atlas/image/IO_error.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/place_of_chart.h>
 
 #include "Material_rules.h"
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 /// \brief The default packer under rules for materials; a chart has the material of its first face.
 ///

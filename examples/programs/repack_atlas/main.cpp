@@ -2,11 +2,12 @@
 // Packs the texture coordinates of a mesh file anew, whoever made them; the shapes of the charts stay as they
 // are.
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/write_obj.h>
+#include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/packing/pack_charts.h>
 #include <Atlas/validation/certify.h>
 
+#include "Material_packer.h"
 #include "packing_options.h"
 #include <CLI/CLI.hpp>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/validation/Exact_validator.h>
 
+#include "Material_packer.h"
 #include "texture_atlas.h"
 #include <limits>
 #include <map>

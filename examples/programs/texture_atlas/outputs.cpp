@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The files that the program leaves.
-#include <Atlas/IO/write_gltf.h>
-#include <Atlas/IO/write_obj.h>
-#include <Atlas/IO/write_ply.h>
+#include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_ambient_occlusion.h>
-#include <Atlas/bake/bake_normals.h>
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/bake/transfer_texture.h>
-#include <Atlas/image/checkerboard.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/image_files.h>
+#include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
-#include <Atlas/image/write_png.h>
-#include <Atlas/report/write_html_report.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/soup/face_distortion.h>
 
 #include "texture_atlas.h"
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace {

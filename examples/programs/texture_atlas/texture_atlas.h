@@ -3,9 +3,9 @@
 #ifndef TEXTURE_ATLAS_H
 #define TEXTURE_ATLAS_H
 
+#include <Atlas/IO/read_textures.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/image/Source_textures.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/soup/Joined_soups.h>
 #include <Atlas/soup/Polygon_soup.h>
@@ -41,6 +41,12 @@ struct Options : Packing_options
   std::vector<std::string> models() const;
 };
 
+/// Declares the options of the command line.
+void declare_options(CLI::App& app, Options& options);
+
+/// Sets defaults that depend on other options, and refuses what cannot be. \throw CLI::ValidationError
+void complete_all(const CLI::App& app, Options& options);
+
 /// What has been read.
 struct Input
 {
@@ -60,5 +66,22 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
 /// Writes everything or nothing; nothing once cancelled. Returns the names of what has been written.
 std::vector<std::string> write_outputs(const Options& options, Input& input,
                                        const Atlas::Atlas_report& report, const Atlas::Execution& execution);
+
+void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report);
+
+/// \param reading, writing  seconds
+void print_times(const Atlas::Atlas_report& report, double reading, double writing);
+
+/// Tells of faces that take no part; the report has all of them.
+void print_rejected(const Options& options, const Atlas::Joined_soups& models,
+                    const Atlas::Atlas_report& report);
+
+/// Tells of wishes that could not be fulfilled.
+void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
+                       const Atlas::Atlas_report& report);
+
+/// Tells why there may be so many charts.
+void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,
+                        const Atlas::Atlas_report& report);
 
 #endif

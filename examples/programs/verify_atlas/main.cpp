@@ -3,8 +3,8 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/image_files.h>
 #include <Atlas/image/pages.h>
-#include <Atlas/image/write_png.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/validation/certify.h>
 
@@ -16,6 +16,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

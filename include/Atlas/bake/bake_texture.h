@@ -2,20 +2,15 @@
 #ifndef ATLAS_BAKE_BAKE_TEXTURE_H
 #define ATLAS_BAKE_BAKE_TEXTURE_H
 
-#include <Atlas/bake/nearest_texel.h>
+#include <Atlas/IO/read_textures.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/Surface.h>
-#include <Atlas/core/build_surface.h>
+#include <Atlas/core/Kernel.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/internal/fill_polygon.h>
 #include <Atlas/soup/Polygon_soup.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <functional>
 
 namespace Atlas {
 
@@ -41,103 +36,8 @@ struct Bake_sample
   }
 };
 
-namespace internal {
-
-/// \brief Which triangle each texel of a page shows.
-class Page_raster
-{
-public:
-  Page_raster(const Polygon_soup& soup, Image_size size, Index page)
-      : soup_(soup), surface_(build_surface(soup.points, soup.first, soup.vertices)), size_(size),
-        triangle_(size.width * size.height, no_index)
-  {
-    for (Index t = 0; t < surface_.number_of_triangles(); ++t)
-      if (soup.page(surface_.face[t]) == page)
-        cover(t);
-  }
-
-  const Surface& surface() const { return surface_; }
-
-  std::vector<bool> coverage() const
-  {
-    std::vector<bool> result(triangle_.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = triangle_[i] != no_index;
-    return result;
-  }
-
-  Bake_sample sample(std::size_t texel) const
-  {
-    const Index t = triangle_[texel];
-    Bake_sample result;
-    result.texel = texel;
-    result.face = surface_.face[t];
-    result.triangle = t;
-    for (std::size_t i = 0; i < 3; ++i)
-      result.corners[i] = surface_.corner[3 * t + i];
-    result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_.width) + 0.5,
-                                                    static_cast<double>(texel / size_.width) + 0.5));
-    return result;
-  }
-
-private:
-  double width() const { return static_cast<double>(size_.width); }
-  double height() const { return static_cast<double>(size_.height); }
-
-  /// The corners in texels, y downwards.
-  std::array<Point_2, 3> corners_of(Index t) const
-  {
-    std::array<Point_2, 3> result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point_2& p = soup_.uv[surface_.corner[3 * t + i]];
-      result[i] = Point_2(p.x() * width(), (1 - p.y()) * height());
-    }
-    return result;
-  }
-
-  void cover(Index t)
-  {
-    const std::array<Point_2, 3> corners = corners_of(t);
-    for (const Point_2& p : corners)
-      if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-        return;
-    bool is_seen = false;
-    fill_polygon(corners, size_.width, size_.height, [&](std::size_t x, std::size_t y) {
-      triangle_[y * size_.width + x] = t;
-      is_seen = true;
-    });
-    if (is_seen)
-      return;
-    // Triangles between texel centres get the texel that their middle is in, if nobody else does.
-    const Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
-    if (!(middle.x() >= 0 && middle.y() >= 0 && middle.x() < width() && middle.y() < height()))
-      return;
-    Index& texel =
-        triangle_[static_cast<std::size_t>(middle.y()) * size_.width + static_cast<std::size_t>(middle.x())];
-    if (texel == no_index)
-      texel = t;
-  }
-
-  /// Barycentric coordinates, clamped into the triangle: a texel may be a little outside of what it shows.
-  static std::array<double, 3> weights(const std::array<Point_2, 3>& q, const Point_2& p)
-  {
-    const double area = CGAL::determinant(q[1] - q[0], q[2] - q[0]);
-    std::array<double, 3> w{1. / 3, 1. / 3, 1. / 3};
-    if (area == 0)
-      return w;
-    w[1] = std::clamp(CGAL::determinant(p - q[0], q[2] - q[0]) / area, 0.0, 1.0);
-    w[2] = std::clamp(CGAL::determinant(q[1] - q[0], p - q[0]) / area, 0.0, 1.0 - w[1]);
-    w[0] = 1 - w[1] - w[2];
-    return w;
-  }
-
-  const Polygon_soup& soup_;
-  Surface surface_;
-  Image_size size_;
-  std::vector<Index> triangle_; ///< per texel
-};
-
-} // namespace internal
+/// What a texel shows, given its place on the surface.
+using Bake_shader = std::function<Color(const Bake_sample&)>;
 
 /// \brief Makes a texture: every texel whose centre lies in a chart shows what `shader` says of its place on
 /// the surface; all others show the nearest of these, so that no gutter is too narrow for interpolation or
@@ -145,64 +45,60 @@ private:
 ///
 /// \param soup    with coordinates in [0, 1]^2
 /// \param size    of the page, in texels
-/// \param shader  a callable `Color(const Bake_sample&)`, called from several threads if `execution` has
-/// them
+/// \param shader  called from several threads if `execution` has them
 /// \param page    which one: only faces on it are seen
+/// \throw Invalid_argument the soup has faces, but not a coordinate per corner
 ///
 /// O(texels + height x triangles that are taller than a texel).
-template <typename Shader>
-Image bake_texture(const Polygon_soup& soup, Image_size size, Shader shader, Index page = 0,
-                   const Execution& execution = Execution())
-{
-  const internal::Page_raster raster(soup, size, page);
-  const std::vector<bool> is_covered = raster.coverage();
-  const std::vector<Index> nearest = nearest_texels(is_covered, size.width, size.height);
-  Image image(size.width, size.height, {128, 128, 128});
-  execution.for_each(size.height, [&](std::size_t row) {
-    if (!execution.proceed(double(row) / double(size.height)))
-      return;
-    for (std::size_t i = row * size.width; i < (row + 1) * size.width; ++i)
-      if (is_covered[i])
-        image.pixels[i] = shader(raster.sample(i));
-  });
-  for (std::size_t i = 0; i < is_covered.size(); ++i)
-    if (nearest[i] != no_index)
-      image.pixels[i] = image.pixels[nearest[i]];
-  return image;
-}
+Image bake_texture(const Polygon_soup& soup, Image_size size, const Bake_shader& shader, Index page = 0,
+                   const Execution& execution = Execution());
 
 /// A colour of components in [0, 1].
-inline Color color_of(const std::array<double, 3>& components)
-{
-  Color color;
-  for (std::size_t k = 0; k < 3; ++k)
-    color[k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(components[k], 0.0, 1.0)));
-  return color;
-}
+Color color_of(const std::array<double, 3>& components);
 
-/// \brief The colours of the vertices as a texture. \pre the soup has colours
-inline Image bake_vertex_colors(const Polygon_soup& soup, Image_size size, Index page = 0)
-{
-  const auto color = [&](const Bake_sample& sample) {
-    return color_of(
-        sample.mean<std::array<double, 3>>([&](Index c) { return soup.colors[soup.vertices[c]]; }));
-  };
-  return bake_texture(soup, size, color, page);
-}
+/// \brief The colours of the vertices as a texture.
+/// \throw Invalid_argument the soup has not a colour per vertex
+Image bake_vertex_colors(const Polygon_soup& soup, Image_size size, Index page = 0);
 
 /// \brief Colours given by a function of the position in space as a texture.
-/// \param color_at a callable `Color(const Point_3&)`
-template <typename ColorAt>
-Image bake_procedural(const Polygon_soup& soup, Image_size size, ColorAt color_at, Index page = 0)
-{
-  const auto color = [&](const Bake_sample& sample) {
-    const auto p = sample.mean<std::array<double, 3>>(
-        [&](Index c) -> const Point_3& { return soup.points[soup.vertices[c]]; });
-    return color_at(Point_3(p[0], p[1], p[2]));
-  };
-  return bake_texture(soup, size, color, page);
-}
+Image bake_procedural(const Polygon_soup& soup, Image_size size,
+                      const std::function<Color(const Point_3&)>& color_at, Index page = 0);
+
+/// \brief The colour of a direction in a map of normals: a unit vector's coordinates from [-1, 1] to
+/// [0, 255].
+Color color_of_normal(const Vector_3& n);
+
+/// \brief The normals of the surface as a texture, in the coordinates of the model ("object space", which
+/// needs no tangents).
+///
+/// The normals of the soup where it has them, else normals that are smooth except at edges sharper than
+/// 45 degrees; in between they are interpolated. Linear in texels and triangles.
+/// \param page which one
+Image bake_normals(const Polygon_soup& soup, Image_size size, Index page = 0,
+                   const Execution& execution = Execution());
+
+/// \brief Copies the textures that a model came with to its new coordinates.
+///
+/// \param soup    with the new coordinates in `uv`, the old ones in `old_uv`
+/// \param source  the old textures, as `read_textures()` gives them
+/// \param page    which one of the new pages
+/// \param missing the colour of faces without an old texture
+///
+/// Colours are interpolated between pixels; where the old texture is finer than the new one, a smaller
+/// version of it is taken, so that nothing is skipped. Faces without old coordinates get the colour of their
+/// material.
+/// \throw Invalid_argument `old_uv` has entries, but not one per corner, or `source` has not an entry per
+/// face
+Image transfer_texture(const Polygon_soup& soup, Image_size size, const Source_textures& source,
+                       Index page = 0, const Execution& execution = Execution(),
+                       const Color& missing = {128, 128, 128});
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/bake/internal/bake_normals_impl.h>
+#include <Atlas/bake/internal/bake_texture_impl.h>
+#include <Atlas/bake/internal/transfer_texture_impl.h>
+#endif
 
 #endif

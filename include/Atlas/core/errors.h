@@ -45,6 +45,15 @@ private:
   std::string role_, type_;
 };
 
+/// \brief A file could not be read or written, or the machine has not what is needed for a picture.
+///
+/// `what()` is one line: the file, the line or byte if there is one, and what is wrong.
+class IO_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 namespace internal {
 
 /// Throws `Invalid_argument` unless the condition holds. For messages that cost nothing to make.

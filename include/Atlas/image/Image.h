@@ -76,6 +76,15 @@ inline void paste(const Image& from, Image& to, std::size_t x, std::size_t y)
       to.at(x + i, y + j) = from.at(i, j);
 }
 
+/// \brief A texture that shows distortion: squares that alternate between light and dark, whose colour
+/// changes slowly over the page, so that charts can be told apart and found on the page.
+/// \param squares  number of squares along the longer side, at least 1
+Image checkerboard(Image_size size, std::size_t squares = 64);
+
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/image/internal/checkerboard_impl.h>
+#endif
 
 #endif

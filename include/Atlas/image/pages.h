@@ -6,8 +6,6 @@
 #include <Atlas/image/Image.h>
 #include <Atlas/soup/Polygon_soup.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,97 +22,34 @@ enum class Page_style {
 ///
 /// Exact in double precision for coordinates that are floats of at least 2^-48. Rounded to floats they lose
 /// as many bits as the number of the tile takes.
-inline std::vector<Point_2> udim_uv(const Polygon_soup& soup)
-{
-  std::vector<Point_2> result = soup.uv;
-  if (result.empty() || soup.face_page.empty())
-    return result;
-  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
-    for (std::size_t c = soup.first[f]; c < soup.first[f + 1]; ++c)
-      result[c] = Point_2(result[c].x() + soup.face_page[f] % 10, result[c].y() + soup.face_page[f] / 10);
-  return result;
-}
+std::vector<Point_2> udim_uv(const Polygon_soup& soup);
 
 /// \brief Takes coordinates as those of UDIM tiles: every face gets its page, and coordinates in the unit
 /// square of it.
 ///
 /// The middle of a face tells its tile. Faces outside of the ten columns of tiles, or without coordinates,
 /// stay as they are, on page 0. \return the number of pages
-inline Index separate_udim(Polygon_soup& soup)
-{
-  constexpr double most_rows = 1000;
-  soup.face_page.assign(soup.number_of_faces(), 0);
-  for (std::size_t f = 0; f < soup.number_of_faces() && !soup.uv.empty(); ++f) {
-    const std::size_t n = soup.face(f).size();
-    double u = 0, v = 0;
-    for (std::size_t c = soup.first[f]; c < soup.first[f + 1]; ++c) {
-      u += soup.uv[c].x() / static_cast<double>(n);
-      v += soup.uv[c].y() / static_cast<double>(n);
-    }
-    if (!(u >= 0 && u < 10 && v >= 0 && v < most_rows))
-      continue;
-    const double column = std::floor(u), row = std::floor(v);
-    soup.face_page[f] = static_cast<Index>(column + 10 * row);
-    for (std::size_t c = soup.first[f]; c < soup.first[f + 1]; ++c)
-      soup.uv[c] = Point_2(soup.uv[c].x() - column, soup.uv[c].y() - row);
-  }
-  return soup.number_of_pages();
-}
+Index separate_udim(Polygon_soup& soup);
 
 /// \brief The name of a page's file: of several pages, the number of its UDIM tile stands before the
 /// extension, "wood.png" becomes "wood.1002.png".
-inline std::string page_file_name(const std::string& name, Index page, Index number_of_pages)
-{
-  if (number_of_pages <= 1 || name.empty())
-    return name;
-  const std::size_t dot = name.find_last_of('.');
-  const std::size_t at = dot == std::string::npos || dot == 0 ? name.size() : dot;
-  return name.substr(0, at) + '.' + std::to_string(udim_tile(page)) + name.substr(at);
-}
+std::string page_file_name(const std::string& name, Index page, Index number_of_pages);
 
 /// Pages lie in rows of so many on a sheet, which has the shape of a page.
-inline std::size_t sheet_columns(std::size_t number_of_pages)
-{
-  std::size_t columns = 1;
-  while (columns * columns < number_of_pages)
-    ++columns;
-  return columns;
-}
+std::size_t sheet_columns(std::size_t number_of_pages);
 
 /// \brief The soup with all of its pages side by side on one, the first at the top left, for pictures that
 /// show one page only.
-inline Polygon_soup sheet_of_pages(const Polygon_soup& soup)
-{
-  Polygon_soup sheet = soup;
-  const std::size_t columns = sheet_columns(soup.number_of_pages());
-  sheet.face_page.clear();
-  if (columns == 1 || soup.uv.empty())
-    return sheet;
-  const auto side = static_cast<double>(columns);
-  for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
-    const std::size_t page = soup.page(f);
-    const auto left = static_cast<double>(page % columns);
-    const auto bottom = static_cast<double>(columns - 1 - page / columns);
-    for (std::size_t c = soup.first[f]; c < soup.first[f + 1]; ++c)
-      sheet.uv[c] = Point_2((soup.uv[c].x() + left) / side, (soup.uv[c].y() + bottom) / side);
-  }
-  return sheet;
-}
+Polygon_soup sheet_of_pages(const Polygon_soup& soup);
 
-/// \brief The pictures of all pages as one, in the places that `sheet_of_pages()` gives them. \pre they have
-/// one size
-inline Image sheet_of_images(const std::vector<Image>& pages)
-{
-  if (pages.empty())
-    return Image();
-  const std::size_t columns = sheet_columns(pages.size());
-  const std::size_t width = pages.front().width, height = pages.front().height;
-  Image sheet(columns * width, columns * height);
-  for (std::size_t p = 0; p < pages.size(); ++p)
-    paste(pages[p], sheet, p % columns * width, p / columns * height);
-  return sheet;
-}
+/// \brief The pictures of all pages as one, in the places that `sheet_of_pages()` gives them.
+/// \throw Invalid_argument they differ in size
+Image sheet_of_images(const std::vector<Image>& pages);
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/image/internal/pages_impl.h>
+#endif
 
 #endif

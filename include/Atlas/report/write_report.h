@@ -2,132 +2,61 @@
 #ifndef ATLAS_REPORT_WRITE_REPORT_H
 #define ATLAS_REPORT_WRITE_REPORT_H
 
-#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/soup/Polygon_soup.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace Atlas {
 
-/// The kinds of JSON objects here keep their keys in the order in which they are written.
+/// JSON objects that keep their keys in the order in which they are written. To use one, include
+/// `nlohmann/json.hpp`.
 using Json = nlohmann::ordered_json;
 
-inline Json to_json(const Distortion& d)
-{
-  return {{"l2_stretch", d.l2_stretch},
-          {"linf_stretch", d.linf_stretch},
-          {"quasi_conformal_mean", d.quasi_conformal_mean},
-          {"quasi_conformal_max", d.quasi_conformal_max},
-          {"angle_mean_degrees", d.angle_mean},
-          {"area_mean", d.area_mean},
-          {"area_min", d.area_min},
-          {"area_max", d.area_max},
-          {"symmetric_dirichlet_mean", d.symmetric_dirichlet_mean},
-          {"symmetric_dirichlet_max", d.symmetric_dirichlet_max},
-          {"triangles", d.triangles}};
-}
+Json to_json(const Distortion& distortion);
 
-inline Json to_json(const Atlas_certificate& c)
-{
-  return {{"is_valid", c.is_valid()},
-          {"message", message(c)},
-          {"faces", c.faces},
-          {"rejected_faces", c.rejected_faces},
-          {"triangles", c.triangles},
-          {"not_finite", c.not_finite},
-          {"flipped", c.flipped},
-          {"degenerate", c.degenerate},
-          {"corners_outside_of_page", c.corners_outside},
-          {"is_overlap_free", c.is_overlap_free},
-          {"overlaps_in_charts", c.overlaps_in_charts},
-          {"overlaps_between_charts", c.overlaps_between_charts},
-          {"are_overlaps_complete", c.are_overlaps_complete},
-          {"charts", c.charts},
-          {"non_disc_charts", c.non_disc_charts},
-          {"mirrored_charts", c.mirrored_charts},
-          {"seam_length", c.seam_length},
-          {"gutter_texels", c.gutter},
-          {"chart_distance_texels", c.chart_distance},
-          {"page_border_distance_texels", c.page_border_distance},
-          {"texels_per_unit_min", c.density_min},
-          {"texels_per_unit_max", c.density_max},
-          {"crowded_faces", c.crowded_faces},
-          {"culprits", c.culprits},
-          {"are_culprits_complete", c.are_culprits_complete}};
-}
+Json to_json(const Atlas_certificate& certificate);
 
 /// What was done to a chart.
-inline Json to_json(const Flattening_record& record)
-{
-  return {{"start", message(record.start)},
-          {"flips_of_first_choice", record.flips},
-          {"first_choice_overlapped", record.was_overlapping},
-          {"is_optimized", record.is_optimized},
-          {"optimizer_iterations", record.distortion.iterations},
-          {"border_was_guarded", record.distortion.was_border_guarded}};
-}
+Json to_json(const Flattening_record& record);
 
 /// \brief The report as JSON. Faces and charts count from 0, in the order of the input; numbers that are not
 /// finite are null.
-inline Json to_json(const Atlas_report& report)
-{
-  Json rejected = Json::array(), charts = Json::array(), seconds = Json::object();
-  for (const auto& [face, reason] : report.rejected)
-    rejected.push_back({{"face", face}, {"reason", message(reason)}});
-  for (const Chart_report& chart : report.charts)
-    charts.push_back({{"triangles", chart.triangles},
-                      {"area", chart.area},
-                      {"status", message(chart.status)},
-                      {"is_within_bound", chart.is_within_bound},
-                      {"symmetric_dirichlet_mean", chart.distortion.symmetric_dirichlet_mean},
-                      {"l2_stretch", chart.distortion.l2_stretch},
-                      {"quasi_conformal_mean", chart.distortion.quasi_conformal_mean},
-                      {"area_min", chart.distortion.area_min},
-                      {"area_max", chart.distortion.area_max},
-                      {"flattening", to_json(chart.flattening)}});
-  for (const Stage stage : all_stages)
-    seconds[name(stage)] = report.seconds[static_cast<std::size_t>(stage)];
-  seconds["total"] = report.total_seconds();
-  return {{"is_valid", report.is_valid()},
-          {"message", message(report.status)},
-          {"faces", report.faces},
-          {"triangles", report.triangles},
-          {"rejected_faces", std::move(rejected)},
-          {"pages", report.pages},
-          {"page_width", report.page_width},
-          {"page_height", report.page_height},
-          {"gutter_texels", report.gutter},
-          {"number_of_charts", report.charts.size()},
-          {"split_charts", report.split_charts},
-          {"rejoined_pieces", report.rejoined_pieces},
-          {"stacked_charts", report.stacked_charts},
-          {"bound", {{"measure", name(report.bound.measure)}, {"max", report.bound.max}}},
-          {"charts_beyond_bound", report.charts_beyond_bound},
-          {"area", report.area},
-          {"seam_length", report.seam_length},
-          {"packing_efficiency", report.packing_efficiency},
-          {"texels_per_unit", report.density},
-          {"distortion", to_json(report.distortion)},
-          {"certificate", to_json(report.certificate)},
-          {"seconds", std::move(seconds)},
-          {"charts", std::move(charts)}};
-}
+Json to_json(const Atlas_report& report);
 
 /// \brief The text of a JSON file. Bytes of file names that are no UTF-8 are replaced.
-inline std::string json_text(const Json& json)
-{
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+std::string json_text(const Json& json);
 
-/// \brief Writes the report as a JSON file, whole or not at all. Needs the library nlohmann-json.
-/// \throw IO_error
-inline void write_report(const std::filesystem::path& path, const Atlas_report& report)
+/// \brief Writes the report as a JSON file, whole or not at all. \throw IO_error
+void write_report(const std::filesystem::path& path, const Atlas_report& report);
+
+/// The pictures that an HTML report shows.
+struct Report_pictures
 {
-  internal::write_whole_file(path, json_text(to_json(report)));
-}
+  Image page;    ///< the charts in colours
+  Image stretch; ///< the page coloured by stretch, without scale
+  Image view;    ///< the model from several sides
+};
+
+/// \brief A report as one HTML page that needs nothing else: pictures, figures, histograms (as figure 9 of
+/// Levy et al. 2002), and the model to be turned (WebGL 2, works offline).
+/// \param soup   with the coordinates of the atlas
+/// \param title  shown on top
+std::string html_report(const Polygon_soup& soup, const Atlas_report& report, const Report_pictures& pictures,
+                        const std::string& title);
+
+/// \brief Writes the page, whole or not at all. \throw IO_error
+void write_html_report(const std::filesystem::path& path, const Polygon_soup& soup,
+                       const Atlas_report& report, const Report_pictures& pictures, const std::string& title);
 
 } // namespace Atlas
+
+#ifdef ATLAS_HEADER_ONLY
+#include <Atlas/report/internal/write_html_report_impl.h>
+#include <Atlas/report/internal/write_report_impl.h>
+#endif
 
 #endif

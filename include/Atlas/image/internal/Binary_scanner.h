@@ -2,7 +2,7 @@
 #ifndef ATLAS_IMAGE_INTERNAL_BINARY_SCANNER_H
 #define ATLAS_IMAGE_INTERNAL_BINARY_SCANNER_H
 
-#include <Atlas/image/IO_error.h>
+#include <Atlas/core/errors.h>
 
 #include <algorithm>
 #include <bit>

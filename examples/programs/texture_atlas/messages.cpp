@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// What the program says of its result.
+#include <Atlas/image/pages.h>
+#include <Atlas/soup/orient_faces.h>
+
+#include "texture_atlas.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
+{
+  const Atlas::Distortion& d = report.distortion;
+  const Atlas::Atlas_certificate& c = report.certificate;
+  std::printf("mesh          %s: %zu vertices, %zu faces\n", options.title().c_str(), model.points.size(),
+              report.faces);
+  std::printf("charts        %zu on %zu page%s of %u x %u texels", report.charts.size(), report.pages,
+              report.pages == 1 ? "" : "s", report.page_width, report.page_height);
+  if (report.stacked_charts > 0)
+    std::printf(", %zu of them on copies of theirs", report.stacked_charts);
+  std::printf(
+      "\ndistortion    stretch L2 %.3f, Linf %.2f; angles %.3f (1 is conformal); areas %.3f (1 is equal)\n",
+      d.l2_stretch, d.linf_stretch, d.quasi_conformal_mean, d.area_mean);
+  std::printf("packing       %.1f %% of the page covered, %.4g texels per unit",
+              100 * report.packing_efficiency, report.density);
+  if (report.charts.size() > 1)
+    std::printf(", charts %.2f texels apart", c.chart_distance);
+  std::printf(
+      "\nverdict       %s: %zu flipped, %zu flat, %zu overlapping, %zu of %zu faces without a shape\n",
+      report.is_valid() ? "valid" : "NOT VALID", c.flipped, c.degenerate,
+      c.overlaps_in_charts + c.overlaps_between_charts, report.rejected.size(), report.faces);
+}
+
+void print_times(const Atlas::Atlas_report& report, double reading, double writing)
+{
+  std::printf("time          reading %.2f s", reading);
+  for (const Atlas::Stage stage : Atlas::all_stages)
+    std::printf(", %s %.2f s", Atlas::name(stage), report.seconds[static_cast<std::size_t>(stage)]);
+  std::printf(", pictures and writing %.2f s\n", writing);
+}
+
+void print_rejected(const Options& options, const Atlas::Joined_soups& models,
+                    const Atlas::Atlas_report& report)
+{
+  constexpr std::size_t shown = 5;
+  for (std::size_t i = 0; i < std::min(report.rejected.size(), shown); ++i) {
+    const std::size_t face = report.rejected[i].face;
+    std::size_t mesh = models.number_of_parts() - 1;
+    while (models.first_face(mesh) > face)
+      --mesh;
+    std::fprintf(stderr, "texture_atlas: %s%sface %zu (counting from 0) takes no part: %s\n",
+                 models.number_of_parts() > 1 ? options.meshes[mesh].c_str() : "",
+                 models.number_of_parts() > 1 ? ": " : "", face - models.first_face(mesh),
+                 message(report.rejected[i].reason));
+  }
+  if (report.rejected.size() > shown)
+    std::fprintf(stderr, "texture_atlas: and %zu more faces; the report lists them\n",
+                 report.rejected.size() - shown);
+}
+
+namespace {
+
+/// How many faces of locked materials are not where they were.
+std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup& model)
+{
+  constexpr double tolerance = 1e-5;
+  const std::vector<Material_rule> rules = rules_of(options.materials, model);
+  const std::vector<Atlas::Point_2> uv = Atlas::udim_uv(model);
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < model.face_material.size(); ++f) {
+    bool is_moved = false;
+    for (std::size_t c = model.first[f]; c < model.first[f + 1]; ++c)
+      is_moved = is_moved || !(std::abs(uv[c].x() - model.old_uv[c].x()) <= tolerance &&
+                               std::abs(uv[c].y() - model.old_uv[c].y()) <= tolerance);
+    const Atlas::Index material = model.face_material[f];
+    count += is_moved && material != Atlas::no_index && rules[material].is_locked;
+  }
+  return count;
+}
+
+} // namespace
+
+void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
+                       const Atlas::Atlas_report& report)
+{
+  if (!options.materials.locked.empty())
+    if (const std::size_t moved = moved_locked_faces(options, model))
+      std::fprintf(stderr,
+                   "texture_atlas: %zu faces of locked materials have no usable place in the file (no "
+                   "coordinates, face down, or folded) and got another\n",
+                   moved);
+  constexpr double tolerance = 1e-6;
+  if (report.density < options.page.density * (1 - tolerance))
+    std::fprintf(
+        stderr,
+        "texture_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
+        options.page.density, report.density);
+  if (options.max_charts > 0 && report.charts.size() > options.max_charts)
+    std::fprintf(stderr, "texture_atlas: fewer than %zu charts would not be discs without overlap\n",
+                 report.charts.size());
+}
+
+void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,
+                        const Atlas::Atlas_report& report)
+{
+  constexpr std::size_t many_charts = 20;
+  if (options.turns_faces || report.charts.size() < many_charts)
+    return;
+  if (const std::size_t edges = Atlas::disagreeing_edges(model))
+    std::fprintf(
+        stderr,
+        "texture_atlas: at %zu edges two faces disagree which side is outside, and no chart runs over "
+        "these; --orient turns faces\n",
+        edges);
+}

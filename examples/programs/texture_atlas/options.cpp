@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The command line.
+#include "texture_atlas.h"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What charts are to be like.
+void add_chart_options(CLI::App& app, Options& options)
+{
+  app.add_option(
+         "--mode", options.mode,
+         "What matters most: `standard` has few charts with low distortion, `few-seams` fewer and larger "
+         "charts with more of it, `conformal` least squares conformal maps as they are")
+      ->check(CLI::IsMember({"standard", "few-seams", "conformal"}))
+      ->capture_default_str();
+  CLI::Option* max_distortion =
+      app.add_option("--max-distortion", options.max_distortion,
+                     "Charts merge while their mean symmetric Dirichlet energy (1 is isometric), in the mode "
+                     "`conformal` the ratio of densities, stays below this. Default: that of the mode")
+          ->check(CLI::Range(1.0, 1e6));
+  app.add_option(
+         "--measure", options.measure,
+         "What --max-distortion is about instead; 1 is best. `area-ratio` is the largest over the "
+         "smallest density in a chart, with `-quantiles` but for the extreme 1 % of the area at either "
+         "end; charts that do not keep these are split")
+      ->check(CLI::IsMember({"symmetric-dirichlet", "l2-stretch", "linf-stretch", "area-ratio",
+                             "area-ratio-quantiles", "quasi-conformal"}))
+      ->needs(max_distortion);
+  app.add_option(
+      "--max-charts", options.max_charts,
+      "Merge on until there are at most so many charts, as far as they stay discs. Default: no limit");
+  app.add_option("--min-chart-texels", options.min_chart_texels,
+                 "Merge charts of fewer texels, about, with a neighbour. Default: no limit")
+      ->check(CLI::Range(0.0, 1e10));
+  app.add_option("--hard-angle", options.hard_angle,
+                 "Cut at edges where normals turn by more than so many degrees. Default: none")
+      ->check(CLI::Range(0.0, 180.0));
+  app.add_flag("--separate-materials", options.separates_materials,
+               "Let no chart have faces of two materials");
+}
+
+/// What is done with the coordinates and faces of the file.
+void add_input_options(CLI::App& app, Options& options)
+{
+  app.add_flag(
+      "--keep-uv", options.keeps_uv,
+      "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
+      "faces without coordinates are flattened. Does not go with options that tell what charts are like");
+  app.add_flag("--orient", options.turns_faces,
+               "Turn faces around first, so that neighbours agree which side is outside, as most of them do. "
+               "Charts never run over an edge where they disagree");
+}
+
+void add_run_options(CLI::App& app, Options& options)
+{
+  app.add_option("--report", options.report,
+                 "Where to write the report as JSON, instead of beside the model");
+  app.add_option("--threads", options.threads,
+                 "Number of threads; 0 takes all cores. The result does not depend on it")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  app.add_option("--time-limit", options.time_limit,
+                 "Give up after so many seconds, and write nothing. Default: no limit")
+      ->check(CLI::Range(0.0, 1e9));
+}
+
+void add_picture_options(CLI::App& app, Options& options)
+{
+  app.add_option("--picture", options.picture,
+                 "Also write one PNG picture with the page and the model side by side");
+  app.add_option(
+         "--bake", options.bakes,
+         "What to bake into the page: `colors` of the vertices (_color.png) or the old `texture` "
+         "(_texture.png) instead of the checkerboard; `normals` in the space of the model "
+         "(_normal.png) and ambient `occlusion` (_occlusion.png) beside it. May be given several times")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Bake>{{"colors", Bake::colors},
+                                                                      {"texture", Bake::texture},
+                                                                      {"normals", Bake::normals},
+                                                                      {"occlusion", Bake::occlusion}})
+                      .description("colors|texture|normals|occlusion"))
+      ->allow_extra_args(false);
+}
+
+/// Refuses options that have no meaning with, or without, the coordinates of the file.
+void check_use_of_uv(const CLI::App& app, const Options& options)
+{
+  const auto refuse = [&](const char* option, const char* named, const std::string& why) {
+    if (app.count(option) > 0)
+      throw CLI::ValidationError(named, why);
+  };
+  if (!options.keeps_uv) {
+    for (const char* name : {"--group", "--lock"})
+      refuse(name, name, "charts have places only where those of the file are kept: add --keep-uv");
+    return;
+  }
+  for (const char* name : {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels",
+                           "--hard-angle", "--separate-materials"})
+    refuse(name, "--keep-uv",
+           std::string("the charts of the file stay as they are, so ") + name +
+               " has no meaning: leave out one of the two");
+}
+
+} // namespace
+
+void declare_options(CLI::App& app, Options& options)
+{
+  app.description("Makes a texture atlas of a polygon mesh: cuts it into charts, flattens them by least "
+                  "squares conformal maps,\n"
+                  "packs them into the unit square and proves the result free of flips and overlaps. "
+                  "Vertices, faces and\n"
+                  "their order stay as they are. Several meshes share one atlas and its density.");
+  app.add_option("MESH", options.meshes, "The mesh, or several: .obj, .off, .ply, .stl, .gltf or .glb")
+      ->required();
+  app.add_option(
+      "-o,--output", options.output,
+      "The textured model to write, an .obj file. Beside it, with the same stem, appear the material (.mtl), "
+      "a checkerboard texture (_checkerboard.png), the page with its charts in colours (_page.png), the "
+      "model from several sides (_view.png) and the report (.json). Default: <stem of MESH>_atlas.obj in "
+      "the current directory. Of several meshes each gets a model whose name adds its own stem, `out.obj` "
+      "becomes `out_<stem of MESH>.obj`, and they share all other files; default: atlas.obj");
+  add_chart_options(app, options);
+  add_input_options(app, options);
+  add_packing_options(app, options);
+  add_run_options(app, options);
+  add_picture_options(app, options);
+  app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
+  app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
+  app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
+             "wrong command line; 3 for "
+             "a file that\ncannot be read or written; 124 if the time limit is over; 130 if interrupted. "
+             "Files appear whole or not at all.");
+}
+
+void complete_all(const CLI::App& app, Options& options)
+{
+  if (options.output.empty())
+    options.output = options.meshes.size() > 1
+                         ? "atlas.obj"
+                         : fs::path(options.meshes.front()).stem().string() + "_atlas.obj";
+  const std::string extension = fs::path(options.output).extension().string();
+  const bool is_device = fs::exists(options.output) && !fs::is_regular_file(options.output);
+  if (is_device && options.meshes.size() > 1)
+    throw CLI::ValidationError("--output", "several models cannot go to one place: " + options.output);
+  if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
+    throw CLI::ValidationError("--output",
+                               "the name of the model must end in .obj, .glb or .ply: " + options.output);
+  complete(options);
+  check_use_of_uv(app, options);
+}
+
+bool Options::has(Bake bake) const
+{
+  return std::find(bakes.begin(), bakes.end(), bake) != bakes.end();
+}
+
+std::string Options::name() const
+{
+  std::string result;
+  for (const std::string& file : meshes)
+    result += (result.empty() ? "" : ", ") + file;
+  return result;
+}
+
+std::string Options::title() const
+{
+  std::string result;
+  for (const std::string& file : meshes)
+    result += (result.empty() ? "" : ", ") + fs::path(file).filename().string();
+  return result;
+}
+
+std::vector<std::string> Options::models() const
+{
+  if (meshes.size() == 1)
+    return {output};
+  const fs::path path = output;
+  std::vector<std::string> result;
+  std::set<std::string> taken;
+  for (const std::string& file : meshes) {
+    const std::string stem = path.stem().string() + '_' + fs::path(file).stem().string();
+    std::string name = stem;
+    for (int number = 2; !taken.insert(name).second; ++number)
+      name = stem + '_' + std::to_string(number);
+    result.push_back((path.parent_path() / (name + path.extension().string())).string());
+  }
+  return result;
+}

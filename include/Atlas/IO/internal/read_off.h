@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IO_INTERNAL_READ_OFF_H
+#define ATLAS_IO_INTERNAL_READ_OFF_H
+
+#include <Atlas/image/internal/Text_scanner.h>
+#include <Atlas/soup/Polygon_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace Atlas::internal {
+
+class Off_reader
+{
+public:
+  Off_reader(std::string_view text, const std::string& file_name)
+      : scanner_(text, file_name, Text_scanner::hash_comments), text_size_(text.size())
+  {}
+
+  Polygon_soup read()
+  {
+    read_header();
+    read_vertices();
+    for (std::size_t f = 0; f < faces_; ++f)
+      read_face(f);
+    finish();
+    return std::move(soup_);
+  }
+
+private:
+  /// [ST][C][N]OFF, then three counts.
+  void read_header()
+  {
+    if (!scanner_.next_filled_line())
+      scanner_.fail("no header");
+    const std::string_view word = scanner_.token();
+    if (word.size() < 3 || word.substr(word.size() - 3) != "OFF")
+      scanner_.fail("an OFF file begins with the word OFF, this one with " + quoted(word));
+    const std::string_view prefix = word.substr(0, word.size() - 3);
+    if (prefix.find_first_not_of("STCN") != std::string_view::npos)
+      scanner_.fail("OFF files of kind " + quoted(word) + " are not supported");
+    has_texture_ = prefix.find("ST") != std::string_view::npos;
+    has_colors_ = prefix.find('C') != std::string_view::npos;
+    has_normals_ = prefix.find('N') != std::string_view::npos;
+    if (scanner_.at_end() && !scanner_.next_filled_line())
+      scanner_.fail("the counts are missing");
+    vertices_ = count("number of vertices");
+    faces_ = count("number of faces");
+    if (faces_ == 0)
+      scanner_.fail("no face in the file");
+  }
+
+  /// A count cannot exceed the size of the file, so that memory is not asked for what is not there.
+  std::size_t count(const char* what)
+  {
+    const long long n = scanner_.integer(what);
+    if (n < 0 || static_cast<std::size_t>(n) > text_size_)
+      scanner_.fail(std::string(what) + " is " + std::to_string(n) + ", more than the file can hold");
+    return static_cast<std::size_t>(n);
+  }
+
+  void read_vertices()
+  {
+    soup_.points.reserve(vertices_);
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      if (!scanner_.next_filled_line())
+        scanner_.fail("the file ends after " + std::to_string(v) + " of " + std::to_string(vertices_) +
+                      " vertices");
+      const double x = scanner_.number("x"), y = scanner_.number("y"), z = scanner_.number("z");
+      soup_.points.emplace_back(x, y, z);
+      if (has_normals_) {
+        const double a = scanner_.number("normal x"), b = scanner_.number("normal y"),
+                     c = scanner_.number("normal z");
+        soup_.normals.emplace_back(a, b, c);
+      }
+      if (has_colors_)
+        read_color();
+      if (has_texture_) {
+        const double s = scanner_.number("texture s");
+        texture_.emplace_back(s, scanner_.number("texture t"));
+      }
+    }
+  }
+
+  void read_color()
+  {
+    std::array<float, 4> color{1, 1, 1, 1};
+    int n = 0;
+    for (; n < 4 && !(n == 3 && scanner_.at_end()); ++n) {
+      color[n] = static_cast<float>(scanner_.number("colour"));
+      largest_ = std::max(largest_, color[n]);
+    }
+    if (n == 3)
+      color[3] = -1; // opaque, whatever the range of the others
+    soup_.colors.push_back(color);
+  }
+
+  void read_face(std::size_t f)
+  {
+    if (!scanner_.next_filled_line())
+      scanner_.fail("the file ends after " + std::to_string(f) + " of " + std::to_string(faces_) + " faces");
+    const std::size_t n = count("number of corners");
+    for (std::size_t i = 0; i < n; ++i) {
+      const long long v = scanner_.integer("vertex index");
+      soup_.vertices.push_back(v < 0 || v >= no_index ? no_index : static_cast<Index>(v));
+    }
+    soup_.close_face();
+  }
+
+  void finish()
+  {
+    for (auto& color : soup_.colors) {
+      if (color[3] < 0)
+        color[3] = largest_ > 1 ? 255.f : 1.f;
+      for (float& c : color)
+        c = largest_ > 1 ? c / 255 : c;
+    }
+    const auto exists = [&](Index v) { return v < vertices_; };
+    if (has_texture_)
+      for (const Index v : soup_.vertices)
+        soup_.uv.push_back(exists(v) ? texture_[v] : Point_2(NAN, NAN));
+    if (has_normals_)
+      for (const Index v : soup_.vertices)
+        soup_.corner_normal.push_back(exists(v) ? v : no_index);
+  }
+
+  Text_scanner scanner_;
+  std::size_t text_size_, vertices_ = 0, faces_ = 0;
+  bool has_texture_ = false, has_colors_ = false, has_normals_ = false;
+  float largest_ = 0;
+  std::vector<Point_2> texture_;
+  Polygon_soup soup_;
+};
+
+/// Reads an OFF file: `OFF`, and with normals, colours or texture coordinates at the vertices `NOFF`,
+/// `COFF`, `STOFF` and their combinations. Colours of faces are skipped.
+/// \throw IO_error naming the line
+inline Polygon_soup read_off(const std::filesystem::path& path)
+{
+  const std::string text = read_whole_file(path);
+  check_is_text(text, path.string());
+  return Off_reader(text, path.string()).read();
+}
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IMAGE_INTERNAL_CHECKERBOARD_IMPL_H
+#define ATLAS_IMAGE_INTERNAL_CHECKERBOARD_IMPL_H
+
+#include <Atlas/core/library.h>
+#include <Atlas/image/Image.h>
+#include <Atlas/image/internal/hue.h>
+
+#include <cstddef>
+
+namespace Atlas {
+
+ATLAS_INLINE Image checkerboard(Image_size size, std::size_t squares)
+{
+  Image image(size.width, size.height);
+  const std::size_t side = size.longer_side();
+  for (std::size_t y = 0; y < size.height; ++y)
+    for (std::size_t x = 0; x < size.width; ++x) {
+      const std::size_t i = x * squares / side, j = y * squares / side;
+      const double hue =
+          0.08 + 0.85 * (static_cast<double>(i) + static_cast<double>(j)) / static_cast<double>(2 * squares);
+      image.at(x, y) =
+          (i + j) % 2 ? internal::color_of_hue(hue, 0.10, 0.98) : internal::color_of_hue(hue, 0.60, 0.72);
+    }
+  return image;
+}
+
+} // namespace Atlas
+
+#endif

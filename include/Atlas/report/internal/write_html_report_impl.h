@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_REPORT_INTERNAL_WRITE_HTML_REPORT_IMPL_H
+#define ATLAS_REPORT_INTERNAL_WRITE_HTML_REPORT_IMPL_H
+
+#include <Atlas/core/library.h>
+#include <Atlas/image/image_files.h>
+#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/internal/base64.h>
+#include <Atlas/report/internal/report_page.h>
+#include <Atlas/report/write_report.h>
+#include <Atlas/soup/face_distortion.h>
+#include <Atlas/soup/internal/Triangle_list.h>
+#include <Atlas/soup/internal/index_uv.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace Atlas {
+
+namespace internal {
+
+inline std::string escaped(std::string_view text)
+{
+  std::string result;
+  for (const char c : text)
+    switch (c) {
+    case '<':
+      result += "&lt;";
+      break;
+    case '>':
+      result += "&gt;";
+      break;
+    case '&':
+      result += "&amp;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
+    }
+  return result;
+}
+
+inline std::string replaced(std::string text, std::string_view what, std::string_view by)
+{
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+template <typename Number>
+std::string base64_of(const std::vector<Number>& numbers)
+{
+  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
+}
+
+inline std::string image_tag(const Image& image, const char* id)
+{
+  return std::string("<img id=\"") + id + "\" alt=\"" + id + "\" src=\"data:image/png;base64," +
+         base64(png_bytes(image)) + "\">\n";
+}
+
+/// Bars of a histogram as SVG, with ticks at equal distances.
+inline std::string histogram_svg(const Histogram& histogram, const std::vector<std::string>& ticks)
+{
+  constexpr double width = 480, height = 150, left = 34;
+  const double most = std::max(*std::max_element(histogram.share.begin(), histogram.share.end()), 1e-9);
+  std::ostringstream svg;
+  svg << "<svg viewBox=\"0 0 530 182\" role=\"img\"><rect x=\"34\" y=\"10\" width=\"480\" height=\"150\" "
+         "fill=\"#f6f6f3\"/>";
+  const double step = width / static_cast<double>(histogram.share.size());
+  for (std::size_t i = 0; i < histogram.share.size(); ++i) {
+    const double h = height * histogram.share[i] / most;
+    svg << "<rect x=\"" << left + step * static_cast<double>(i) + 0.5 << "\" y=\"" << 10 + height - h
+        << "\" width=\"" << step - 1 << "\" height=\"" << h << "\" fill=\"#365ca8\"/>";
+  }
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    svg << "<text text-anchor=\"middle\" x=\""
+        << left + width * static_cast<double>(i) / static_cast<double>(ticks.size() - 1) << "\" y=\"176\">"
+        << ticks[i] << "</text>";
+  svg.precision(3);
+  svg << "<text text-anchor=\"end\" x=\"508\" y=\"24\">highest bar " << 100 * most << " %</text></svg>\n";
+  return svg.str();
+}
+
+/// \brief Writes the page from top to bottom.
+class Html_report
+{
+public:
+  Html_report(const Polygon_soup& soup, const Atlas_report& report, const std::string& title)
+      : soup_(soup), report_(report)
+  {
+    html_.precision(4);
+    html_ << replaced(report_head, "@TITLE@", escaped(title));
+    html_ << "<h1>" << escaped(title) << "</h1><p><span class=\"verdict "
+          << (report.is_valid() ? "valid" : "invalid") << "\">" << (report.is_valid() ? "valid" : "not valid")
+          << "</span> " << escaped(message(report.certificate)) << "</p>\n";
+  }
+
+  std::string text(const Report_pictures& pictures)
+  {
+    write_pictures(pictures);
+    write_view();
+    html_ << "<div class=\"two\">";
+    write_histograms();
+    write_tables();
+    html_ << "</div>\n";
+    write_sides(pictures.view);
+    write_rejected();
+    html_ << "</main></body></html>\n";
+    return html_.str();
+  }
+
+private:
+  using Rows = std::vector<std::pair<std::string, std::string>>;
+
+  template <typename Value>
+  static std::string shown(const Value& value, const char* unit = "")
+  {
+    std::ostringstream stream;
+    stream.precision(4);
+    stream << value << unit;
+    return stream.str();
+  }
+
+  void write_pictures(const Report_pictures& pictures)
+  {
+    html_
+        << "<div class=\"two\"><section><h2>The page: charts in colours</h2>"
+        << image_tag(pictures.page, "page")
+        << "</section><section><h2>Stretch: the larger of &sigma;<sub>1</sub> and 1/&sigma;<sub>2</sub></h2>"
+        << image_tag(pictures.stretch, "stretch")
+        << "<div class=\"scale\"></div><div class=\"ticks\"><span>1 "
+           "(isometric)</span><span>1.41</span><span>2 and more</span>"
+           "</div></section></div>\n";
+  }
+
+  void write_sides(const Image& view)
+  {
+    html_ << "<section><h2>From several sides</h2>" << image_tag(view, "sides") << "</section>\n";
+  }
+
+  void write_view()
+  {
+    const Triangle_list triangles(soup_);
+    std::vector<float> positions, uv;
+    std::vector<std::uint32_t> indices;
+    Row_table<3> table(soup_.points.size());
+    for (std::size_t c = 0; c < triangles.positions.size() / 3; ++c) {
+      const auto word = [&](const std::vector<float>& from, std::size_t i) {
+        return std::uint64_t(std::bit_cast<std::uint32_t>(from[i]));
+      };
+      const Index v = table({word(triangles.positions, 3 * c) << 32 | word(triangles.positions, 3 * c + 1),
+                             word(triangles.positions, 3 * c + 2),
+                             word(triangles.uv, 2 * c) << 32 | word(triangles.uv, 2 * c + 1)});
+      indices.push_back(v);
+      if (v < positions.size() / 3)
+        continue;
+      positions.insert(positions.end(), &triangles.positions[3 * c], &triangles.positions[3 * c] + 3);
+      uv.insert(uv.end(), &triangles.uv[2 * c], &triangles.uv[2 * c] + 2);
+    }
+    html_ << replaced(report_view, "@DATA@",
+                      "{squares:" + std::to_string(std::max<Index>(report_.page_width / 16, 2)) +
+                          ",positions:\"" + base64_of(positions) + "\",uv:\"" + base64_of(uv) +
+                          "\",indices:\"" + base64_of(indices) + "\"}");
+  }
+
+  void write_histograms()
+  {
+    const Soup_distortion distortion = measure_distortion(soup_);
+    if (distortion.face.empty())
+      return;
+    html_ << "<section><h2>Angles: by how much right angles are off, degrees</h2>"
+          << histogram_svg(angle_histogram(distortion), {"0", "15", "30", "45"})
+          << "<h2>Areas: area on the page over its fair share</h2>"
+          << histogram_svg(area_histogram(distortion), {"1/4", "1/2", "1", "2", "4"})
+          << "<p class=\"note\">Bars are shares of the area of the surface.</p></section>\n";
+  }
+
+  void write_table(const Rows& rows)
+  {
+    html_ << "<table>";
+    for (const auto& [name, value] : rows)
+      html_ << "<tr><td>" << name << "</td><td>" << value << "</td></tr>";
+    html_ << "</table>\n";
+  }
+
+  void write_tables()
+  {
+    const Distortion& d = report_.distortion;
+    const Atlas_certificate& c = report_.certificate;
+    Rows rows = {
+        {"vertices", shown(soup_.points.size())},
+        {"faces", shown(report_.faces)},
+        {"charts", shown(report_.charts.size())},
+        {"pages", shown(report_.pages)},
+        {"page, texels", shown(report_.page_width) + " &times; " + shown(report_.page_height)},
+        {"stretch L<sub>2</sub>, L<sub>&infin;</sub>", shown(d.l2_stretch) + ", " + shown(d.linf_stretch)},
+        {"mean &sigma;<sub>1</sub>/&sigma;<sub>2</sub>", shown(d.quasi_conformal_mean)},
+        {"mean change of area", shown(d.area_mean)},
+        {"page covered", shown(100 * report_.packing_efficiency, " %")},
+        {"flipped triangles", shown(c.flipped)},
+        {"flat triangles", shown(c.degenerate)},
+        {"overlapping pairs", shown(c.overlaps_in_charts + c.overlaps_between_charts)},
+        {"charts apart, texels", report_.charts.size() > 1 ? shown(c.chart_distance) : "one chart"},
+        {"from the border, texels", shown(c.page_border_distance)}};
+    for (const Stage stage : all_stages)
+      rows.emplace_back(name(stage), shown(report_.seconds[static_cast<std::size_t>(stage)], " s"));
+    html_ << "<section><h2>Figures</h2>";
+    write_table(rows);
+    html_ << "</section>";
+  }
+
+  void write_rejected()
+  {
+    if (report_.rejected.empty())
+      return;
+    constexpr std::size_t shown_at_most = 1000;
+    html_ << "<section><h2>Faces that take no part (" << report_.rejected.size() << ", counting from 0)</h2>";
+    Rows rows;
+    for (std::size_t i = 0; i < std::min(report_.rejected.size(), shown_at_most); ++i)
+      rows.emplace_back("face " + shown(report_.rejected[i].face), message(report_.rejected[i].reason));
+    write_table(rows);
+    html_ << "</section>\n";
+  }
+
+  const Polygon_soup& soup_;
+  const Atlas_report& report_;
+  std::ostringstream html_;
+};
+
+} // namespace internal
+
+ATLAS_INLINE std::string html_report(const Polygon_soup& soup, const Atlas_report& report,
+                                     const Report_pictures& pictures, const std::string& title)
+{
+  return internal::Html_report(soup, report, title).text(pictures);
+}
+
+ATLAS_INLINE void write_html_report(const std::filesystem::path& path, const Polygon_soup& soup,
+                                    const Atlas_report& report, const Report_pictures& pictures,
+                                    const std::string& title)
+{
+  internal::write_whole_file(path, html_report(soup, report, pictures, title));
+}
+
+} // namespace Atlas
+
+#endif
