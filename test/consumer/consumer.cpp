@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The library alone.
+#include <Atlas/core/build_surface.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/version.h>
 
@@ -8,6 +9,7 @@
 
 #include <iostream>
 #include <string>
+#include <vector>
 
 int main()
 {
@@ -21,12 +23,17 @@ int main()
   const auto report = Atlas::generate_atlas(mesh, uv, Atlas::parameters::texture_size(1024).gutter(2));
   std::cout << report.charts.size() << " charts; " << Atlas::message(report.status) << '\n';
 
+  // The same of a soup.
+  std::vector<Atlas::Point_2> corner_uv;
+  const Atlas::Surface surface = Atlas::build_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const auto report_of_soup = Atlas::generate_atlas(surface, corner_uv);
+
   const std::string version = std::to_string(ATLAS_VERSION_MAJOR) + '.' +
-                              std::to_string(ATLAS_VERSION_MINOR) + '.' +
-                              std::to_string(ATLAS_VERSION_PATCH);
+                              std::to_string(ATLAS_VERSION_MINOR) + '.' + std::to_string(ATLAS_VERSION_PATCH);
   if (version != ATLAS_VERSION || version != EXPECTED_VERSION) {
     std::cout << "version " << version << " is not " EXPECTED_VERSION "\n";
     return 1;
   }
-  return report.is_valid() ? 0 : 1;
+  return report.is_valid() && report_of_soup.is_valid() && corner_uv.size() == 12 ? 0 : 1;
 }

@@ -132,6 +132,31 @@ TEST(ChartStatus, EveryStatusHasAMessageOfItsOwn)
   EXPECT_EQ(messages.size(), 7u);
 }
 
+TEST(BuildSurface, TakesPolygonsAsCGALHasThem)
+{
+  const Soup soup = cube();
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& polygon : soup.polygons)
+    polygons.emplace_back(polygon.begin(), polygon.end());
+  const Surface wanted = surface_of(soup), s = build_surface(soup.points, polygons);
+  EXPECT_EQ(s.points, wanted.points);
+  EXPECT_EQ(s.triangles, wanted.triangles);
+  EXPECT_EQ(s.opposite, wanted.opposite);
+  EXPECT_EQ(s.corner, wanted.corner);
+  EXPECT_EQ(s.number_of_faces, 6u);
+  EXPECT_EQ(s.number_of_corners, 24u);
+}
+
+TEST(BuildSurface, FacesOfVerticesBeyondAllNumbersAreRejected)
+{
+  const std::size_t beyond = std::size_t(1) << 32; // 0 if it were cut to 32 bits
+  const Surface s = build_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {beyond, 1, 2}, {}});
+  EXPECT_EQ(s.number_of_triangles(), 1u);
+  ASSERT_EQ(s.rejected.size(), 2u);
+  EXPECT_EQ(s.rejected[0].reason, Rejection::bad_index);
+  EXPECT_EQ(s.rejected[1].reason, Rejection::too_few_corners);
+}
+
 TEST(Execution, RunsEveryIterationOnceAndStopsWhenCancelled)
 {
   for (unsigned threads : {1u, 2u}) {
