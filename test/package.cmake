@@ -11,7 +11,7 @@ list(FILTER atlas_public_headers EXCLUDE REGEX "/internal/")
 set(atlas_gpl_headers ${atlas_headers})
 list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|/occlusion/")
 set(atlas_optional_headers ${atlas_headers})
-list(FILTER atlas_optional_headers INCLUDE REGEX "/internal/rendering/|Stencil_validator|OSMesa")
+list(FILTER atlas_optional_headers INCLUDE REGEX "/internal/rendering/")
 list(APPEND atlas_optional_headers ${atlas_gpl_headers})
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/core/errors.h>
 #include <Atlas/validation/Stencil_validator.h>
 #include <Atlas/validation/internal/chart_clearance.h>
+#include <Atlas/validation/internal/rendering/Stencil_painter.h>
 
 #include "test_meshes.h"
 #include <gtest/gtest.h>
@@ -202,6 +204,12 @@ TEST(StencilValidator, CountsTexels)
   const Stencil_overlaps many = find_stencil_overlaps(stack, 12);
   EXPECT_FALSE(many.overlaps.is_complete);
   EXPECT_EQ(many.overlapped_texels, many.covered_texels);
+}
+
+TEST(StencilValidator, RefusesAPageWithoutTexels)
+{
+  EXPECT_THROW(Stencil_validator(0), Invalid_argument);
+  EXPECT_THROW(find_stencil_overlaps({}, 0), Invalid_argument);
 }
 
 TEST(StencilValidator, SaysWhyThereIsNoContext)
