@@ -121,7 +121,7 @@ ATLAS_INLINE Image bake_texture(const Polygon_soup& soup, Image_size size, const
   internal::require(soup.uv.size() == soup.number_of_corners(), "soup", "must have a coordinate per corner");
   const internal::Page_raster raster(soup, size, page);
   const std::vector<bool> is_covered = raster.coverage();
-  const std::vector<Index> nearest = nearest_texels(is_covered, size.width, size.height);
+  const std::vector<Index> nearest = internal::nearest_texels(is_covered, size.width, size.height);
   Image image(size.width, size.height, {128, 128, 128});
   execution.for_each(size.height, [&](std::size_t row) {
     if (!execution.proceed(double(row) / double(size.height)))
