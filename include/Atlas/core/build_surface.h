@@ -25,18 +25,7 @@ Surface build_surface(std::vector<Point_3> points, const std::vector<std::size_t
 /// \brief Builds the surface of a polygon soup as CGAL has it: for each polygon the vertices of its corners.
 ///
 /// Faces and corners are counted polygon by polygon. The same as the other overload in all else.
-inline Surface build_surface(std::vector<Point_3> points,
-                             const std::vector<std::vector<std::size_t>>& polygons)
-{
-  std::vector<std::size_t> first{0};
-  std::vector<Index> vertices;
-  for (const std::vector<std::size_t>& polygon : polygons) {
-    for (const std::size_t v : polygon)
-      vertices.push_back(v < no_index ? static_cast<Index>(v) : no_index);
-    first.push_back(vertices.size());
-  }
-  return build_surface(std::move(points), first, vertices);
-}
+Surface build_surface(std::vector<Point_3> points, const std::vector<std::vector<std::size_t>>& polygons);
 
 } // namespace Atlas
 

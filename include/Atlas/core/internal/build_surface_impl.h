@@ -109,6 +109,19 @@ ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vecto
   return surface;
 }
 
+ATLAS_INLINE Surface build_surface(std::vector<Point_3> points,
+                                   const std::vector<std::vector<std::size_t>>& polygons)
+{
+  std::vector<std::size_t> first{0};
+  std::vector<Index> vertices;
+  for (const std::vector<std::size_t>& polygon : polygons) {
+    for (const std::size_t v : polygon)
+      vertices.push_back(v < no_index ? static_cast<Index>(v) : no_index);
+    first.push_back(vertices.size());
+  }
+  return build_surface(std::move(points), first, vertices);
+}
+
 } // namespace Atlas
 
 #endif
