@@ -9,13 +9,12 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
-#include <Atlas/image/image_files.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
+#include <Atlas/packing/internal/pages/packing_clearance.h>
 #include <Atlas/packing/pack_charts.h>
-#include <Atlas/packing/packing_clearance.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 

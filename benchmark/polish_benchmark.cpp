@@ -116,8 +116,8 @@ void print_default(const Chart& original)
   const auto start = std::chrono::steady_clock::now();
   const Chart_status status = Bijective_parameterizer().parameterize(chart, Execution(), record);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::printf("default: %s, %s; %zu iterations, symmetric Dirichlet %.6g -> %.6g, %.3g s\n",
-              message(status), message(record.start), record.distortion.iterations, record.distortion.before,
+  std::printf("default: %s, %s; %zu iterations, symmetric Dirichlet %.6g -> %.6g, %.3g s\n", message(status),
+              message(record.start), record.distortion.iterations, record.distortion.before,
               record.distortion.after, time.count());
 }
 

@@ -2,7 +2,6 @@
 // Packing alone: charts that were flattened elsewhere, here regular polygons of many sizes, find their places
 // on a page.
 #include <Atlas/packing/Horizon_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
 
 #include <cmath>
 #include <iostream>

@@ -2,7 +2,7 @@
 // A packer of one's own: an engine that stands the bounding boxes of pieces side by side on shelves. Pages,
 // the gutter, a density, groups and locked charts are the library's.
 #include <Atlas/packing/Page_packer.h>
-#include <Atlas/packing/packing_clearance.h>
+#include <Atlas/packing/internal/pages/packing_clearance.h>
 
 #include <algorithm>
 #include <complex>

@@ -3,7 +3,6 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/image_files.h>
 #include <Atlas/soup/internal/split_vertices.h>
 
 #include "temporary_folder.h"
@@ -50,7 +49,7 @@ void expect_same_corners(const Polygon_soup& a, const Polygon_soup& b)
 TEST(Split_vertices, splits_only_where_corners_differ)
 {
   const internal::Split_vertices whole = internal::split_vertices(two_triangles(false)),
-                       cut = internal::split_vertices(two_triangles(true));
+                                 cut = internal::split_vertices(two_triangles(true));
   EXPECT_EQ(whole.original, (std::vector<Index>{1, 2, 3, 4}));
   EXPECT_EQ(whole.corner, (std::vector<Index>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(cut.original, (std::vector<Index>{1, 2, 3, 1, 3, 4}));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/read_textures.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/image/Image.h>
 
 #include "temporary_folder.h"
 #include <algorithm>

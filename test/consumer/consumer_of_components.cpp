@@ -4,7 +4,7 @@
 #include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/render_model.h>
 #include <Atlas/report/write_report.h>
 

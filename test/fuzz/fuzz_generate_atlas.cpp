@@ -3,7 +3,6 @@
 // upon faces are frequent. The certificate is the judge.
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/validation/certify.h>
 
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
-#include <Atlas/image/image_files.h>
 #include <Atlas/image/pages.h>
 
 #include "temporary_folder.h"

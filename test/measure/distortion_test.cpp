@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 
 #include <Eigen/LU>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/packing/Horizon_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
-#include <Atlas/packing/packing_clearance.h>
+#include <Atlas/packing/internal/pages/packing_clearance.h>
 
 #include "test_charts.h"
 

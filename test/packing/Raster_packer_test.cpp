@@ -2,8 +2,8 @@
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/internal/pages/packing_clearance.h>
 #include <Atlas/packing/pack_charts.h>
-#include <Atlas/packing/packing_clearance.h>
 
 #include "short_raster_packer.h"
 #include "test_charts.h"

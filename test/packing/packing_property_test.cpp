@@ -4,7 +4,6 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/packing/pack_charts.h>
 
 #include "packing_checks.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What pages are asked for, through the whole pipeline: weights of faces, stacked copies, several meshes.
-#include <Atlas/core/join_surfaces.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/pack_charts.h>
 #include <Atlas/packing/Horizon_packer.h>

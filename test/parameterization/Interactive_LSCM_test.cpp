@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/halfedges.h>
-#include <Atlas/parameterization/Interactive_LSCM.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 
 #include "test_meshes.h"

@@ -2,7 +2,7 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/Spectral_parameterizer.h>
 
 #include <Eigen/Dense>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/concepts.h>
-#include <Atlas/parameterization/Schnyder_parameterizer.h>
+#include <Atlas/parameterization/Fixed_border_parameterizer.h>
 
 #include "flattening_checks.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a surface, or coordinates that it has, say of seams: constrain_hard_edges(), constrain_to_uv(),
 // Existing_uv_parameterizer.
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 
 #include "test_meshes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The whole pipeline, on both of CGAL's meshes.
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/image/internal/base64.h>
 #include <Atlas/report/write_report.h>
-#include <Atlas/soup/face_distortion.h>
+#include <Atlas/soup/internal/face_distortion.h>
 
 #include "temporary_folder.h"
 #include <cmath>

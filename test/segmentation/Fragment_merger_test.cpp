@@ -2,7 +2,7 @@
 // Fragments of refused charts that find other charts.
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/generate_atlas.h>
-#include <Atlas/packing/Rectangle_packer.h>
+#include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the user may ask of merged charts: where seams go, how many charts there are, how small they may be.
 #include <Atlas/core/extract_charts.h>
-#include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>

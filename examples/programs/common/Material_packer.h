@@ -4,7 +4,7 @@
 
 #include <Atlas/core/errors.h>
 #include <Atlas/packing/Raster_packer.h>
-#include <Atlas/packing/place_of_chart.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include "Material_rules.h"
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/extract_charts.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The call of the library.
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>

@@ -5,12 +5,11 @@
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
-#include <Atlas/image/image_files.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
 #include <Atlas/report/write_report.h>
-#include <Atlas/soup/face_distortion.h>
+#include <Atlas/soup/internal/face_distortion.h>
 
 #include "texture_atlas.h"
 #include <algorithm>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the program works on.
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/IO/read_textures.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/core/join_surfaces.h>
 #include <Atlas/soup/orient_faces.h>
 
 #include "texture_atlas.h"

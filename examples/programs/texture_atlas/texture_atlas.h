@@ -3,7 +3,7 @@
 #ifndef TEXTURE_ATLAS_H
 #define TEXTURE_ATLAS_H
 
-#include <Atlas/IO/read_textures.h>
+#include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/pipeline/Atlas_report.h>

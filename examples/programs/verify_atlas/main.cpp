@@ -2,8 +2,8 @@
 // Proves, or disproves, that the texture coordinates of a mesh file are a valid atlas, whoever made them.
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/draw_atlas.h>
-#include <Atlas/image/image_files.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/validation/certify.h>

@@ -2,9 +2,13 @@
 #ifndef ATLAS_IO_READ_POLYGON_SOUP_H
 #define ATLAS_IO_READ_POLYGON_SOUP_H
 
+#include <Atlas/core/Kernel.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/soup/Polygon_soup.h>
 
+#include <array>
 #include <filesystem>
+#include <vector>
 
 namespace Atlas {
 
@@ -26,10 +30,46 @@ namespace Atlas {
 /// be understood, there is no face, the format is unknown or, in glTF, compressed
 Polygon_soup read_polygon_soup(const std::filesystem::path& path);
 
+/// What is outside of the unit square.
+enum class Texture_wrap { repeat, clamp, mirror };
+
+/// \brief How a material of a file colours faces.
+struct Source_texture
+{
+  Image image;                           ///< its first row belongs to v = 1; empty: the colour alone
+  std::array<double, 3> factor{1, 1, 1}; ///< multiplies the picture, in [0, 1]
+  Texture_wrap wrap_u = Texture_wrap::repeat, wrap_v = Texture_wrap::repeat;
+  std::array<double, 6> transform{1, 0, 0, 0, 1, 0}; ///< (u, v) -> (t0 u + t1 v + t2, t3 u + t4 v + t5)
+
+  Point_2 transformed(const Point_2& p) const
+  {
+    const auto& t = transform;
+    return Point_2(t[0] * p.x() + t[1] * p.y() + t[2], t[3] * p.x() + t[4] * p.y() + t[5]);
+  }
+};
+
+/// \brief The textures of a model, by its own coordinates.
+struct Source_textures
+{
+  std::vector<Source_texture> textures;
+  std::vector<Index> face_texture; ///< per face of the model: its texture, or `no_index`
+};
+
+/// \brief Reads the textures that a mesh file names: `map_Kd` and `Kd` of the MTL files beside an OBJ file
+/// (with `<UDIM>` in the name, and `-clamp`), `TextureFile` of a PLY file, the base colours of glTF.
+///
+/// \param mesh  the file
+/// \param soup  what has been read from it; its `old_uv`, or `uv` if there are none, tell the tiles of UDIM
+///
+/// Faces whose material is not described get `no_index`; other formats have no textures at all.
+/// \throw IO_error a file that is named cannot be read
+Source_textures read_textures(const std::filesystem::path& mesh, const Polygon_soup& soup);
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/IO/internal/read_polygon_soup_impl.h>
+#include <Atlas/IO/internal/read_textures_impl.h>
 #endif
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef ATLAS_BAKE_BAKE_TEXTURE_H
 #define ATLAS_BAKE_BAKE_TEXTURE_H
 
-#include <Atlas/IO/read_textures.h>
+#include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Kernel.h>
 #include <Atlas/image/Image.h>

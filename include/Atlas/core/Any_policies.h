@@ -3,7 +3,7 @@
 #define ATLAS_CORE_ANY_POLICIES_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <memory>
 #include <optional>

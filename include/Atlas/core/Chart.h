@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace Atlas {
@@ -59,6 +60,90 @@ inline const char* message(Chart_status status)
   }
   return "unknown status";
 }
+
+/// What a bound on the distortion of a chart is about. All are at least 1, and 1 is best.
+enum class Distortion_measure {
+  symmetric_dirichlet,  ///< mean of (s1^2 + s2^2 + 1/s1^2 + 1/s2^2) / 4: both angles and areas
+  l2_stretch,           ///< root mean square stretch (Sander et al. 2001)
+  linf_stretch,         ///< largest stretch (Sander et al. 2001)
+  area_ratio,           ///< largest over smallest density of area, of all triangles
+  area_ratio_quantiles, ///< the same between the quantiles of 99 % and 1 % of the area
+  quasi_conformal       ///< mean s1 / s2: angles only
+};
+
+/// The standard name of the figure, as in reports.
+inline const char* name(Distortion_measure measure)
+{
+  switch (measure) {
+  case Distortion_measure::symmetric_dirichlet:
+    return "symmetric_dirichlet_mean";
+  case Distortion_measure::l2_stretch:
+    return "l2_stretch";
+  case Distortion_measure::linf_stretch:
+    return "linf_stretch";
+  case Distortion_measure::area_ratio:
+    return "area_ratio";
+  case Distortion_measure::area_ratio_quantiles:
+    return "area_ratio_quantiles";
+  case Distortion_measure::quasi_conformal:
+    return "quasi_conformal_mean";
+  }
+  return "unknown";
+}
+
+/// Whether the figure is an average over the chart, not one of its extremes.
+inline bool is_mean(Distortion_measure measure)
+{
+  return measure == Distortion_measure::symmetric_dirichlet || measure == Distortion_measure::l2_stretch ||
+         measure == Distortion_measure::quasi_conformal;
+}
+
+/// A bound on the distortion of every chart: what is bounded, and by how much.
+struct Distortion_bound
+{
+  Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
+  double max = std::numeric_limits<double>::infinity();
+};
+
+/// \brief What the optimisation did to a chart.
+struct Distortion_record
+{
+  double before = 0; ///< mean energy over that of an isometry; infinite for a chart that had flips
+  double after = 0;
+  std::size_t iterations = 0;
+  bool was_border_guarded = false; ///< whether the border had to be kept from touching itself
+};
+
+/// Where the coordinates of a chart came from.
+enum class Flattening_start {
+  first_choice, ///< the parameterizer that was asked for, as a rule LSCM
+  tutte,        ///< Tutte's map, because the first choice was not one-to-one
+  schnyder      ///< a drawing on a grid, because Tutte's map needs more than double precision
+};
+
+/// A sentence for the user.
+inline const char* message(Flattening_start start)
+{
+  switch (start) {
+  case Flattening_start::first_choice:
+    return "the chart keeps the map of the chosen parameterizer";
+  case Flattening_start::tutte:
+    return "the chosen parameterizer was not one-to-one; the chart starts from Tutte's map";
+  case Flattening_start::schnyder:
+    return "Tutte's map is below double precision; the chart starts from a drawing on a grid";
+  }
+  return "unknown start";
+}
+
+/// \brief What was done to flatten a chart.
+struct Flattening_record
+{
+  Flattening_start start = Flattening_start::first_choice;
+  std::size_t flips = 0;        ///< triangles that the first choice turned over or made flat
+  bool was_overlapping = false; ///< whether the first choice made the border cross or touch itself
+  bool is_optimized = false;    ///< whether the optimiser had a part in the result
+  Distortion_record distortion; ///< of the optimiser's last run
+};
 
 } // namespace Atlas
 

@@ -2,7 +2,7 @@
 #ifndef ATLAS_CORE_EXECUTION_H
 #define ATLAS_CORE_EXECUTION_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <cstddef>
 #include <functional>
@@ -68,6 +68,29 @@ private:
   std::shared_ptr<State> state_;
   Callback callback_;
 };
+
+/// The stages of the pipeline, in the order in which they run.
+enum class Stage { segmentation, parameterization, packing, verification };
+
+/// All stages, for loops over them.
+inline constexpr Stage all_stages[] = {Stage::segmentation, Stage::parameterization, Stage::packing,
+                                       Stage::verification};
+
+/// The name of a stage.
+inline const char* name(Stage stage)
+{
+  switch (stage) {
+  case Stage::segmentation:
+    return "segmentation";
+  case Stage::parameterization:
+    return "parameterization";
+  case Stage::packing:
+    return "packing";
+  case Stage::verification:
+    return "verification";
+  }
+  return "unknown";
+}
 
 } // namespace Atlas
 

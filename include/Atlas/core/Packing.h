@@ -3,7 +3,7 @@
 #define ATLAS_CORE_PACKING_H
 
 #include <Atlas/core/Kernel.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,7 @@
 #define ATLAS_CORE_CONCEPTS_H
 
 #include <Atlas/core/Chart.h>
-#include <Atlas/core/Distortion_bound.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/Flattening_record.h>
 #include <Atlas/core/Packing.h>
 #include <Atlas/core/Surface.h>
 

@@ -4,7 +4,7 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <span>
 #include <vector>
@@ -40,9 +40,14 @@ struct Chart_topology
 /// Counts components, border loops and the Euler characteristic. O(n log n).
 Chart_topology topology(const Chart& chart);
 
+/// The charts that coordinates at corners make of a surface: triangles are glued along edges at both ends of
+/// which their coordinates are equal. Triangles without finite coordinates get the chart `no_index`. Linear.
+Segmentation charts_of_uv(const Surface& surface, std::span<const Point_2> uv);
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/core/internal/charts_of_uv_impl.h>
 #include <Atlas/core/internal/extract_charts_impl.h>
 #endif
 

@@ -3,8 +3,8 @@
 #define ATLAS_MEASURE_DISTORTION_H
 
 #include <Atlas/core/Chart.h>
-#include <Atlas/core/Distortion_bound.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/internal/library.h>
 
 #include <array>
 #include <cmath>
@@ -13,6 +13,19 @@
 #include <vector>
 
 namespace Atlas {
+
+/// The area of the surface, in squared units of the model.
+double area_3d(const Surface& surface);
+
+/// The area of the chart in space.
+double area_3d(const Chart& chart);
+
+/// The area of the flattened chart: flipped triangles count negative.
+double area_uv(const Chart& chart);
+
+/// The length of all seams in units of the model, each edge once: edges with a triangle on both sides that
+/// are not glued. The border of the surface is no seam.
+double seam_length(const Surface& surface, const Segmentation& segmentation);
 
 /// \brief How the affine map from the plane to space stretches one triangle.
 ///
@@ -75,6 +88,7 @@ double value(const Distortion& d, Distortion_measure measure);
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/measure/internal/area_impl.h>
 #include <Atlas/measure/internal/distortion_impl.h>
 #endif
 

@@ -3,16 +3,97 @@
 #define ATLAS_PACKING_PAGE_PACKER_H
 
 #include <Atlas/core/Any_policies.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Kernel.h>
+#include <Atlas/core/Packing.h>
 #include <Atlas/core/concepts.h>
-#include <Atlas/core/library.h>
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/core/internal/library.h>
 
+#include <array>
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace Atlas {
+
+/// \brief What an engine knows of a piece: the segments that bound its image, in a plane of complex numbers
+/// whose origin is the piece's centre of gravity.
+///
+/// A piece is a chart, or a group of charts that moves as one. The unit is one for all pieces: the larger
+/// side of the bounding box of the largest measures about 1.
+struct Page_piece
+{
+  std::vector<std::complex<double>> points;   ///< ends of the segments; at least one
+  std::vector<std::array<Index, 2>> segments; ///< pairs of points. First those of the border, with the inside
+                                              ///< on their left if `orientation` is 1; then folds
+  std::size_t number_of_border_segments = 0;
+  int orientation = 0; ///< of the triangles: 1 counterclockwise, -1 clockwise, 0 both or degenerate
+  std::vector<std::array<std::complex<double>, 3>> triangles; ///< only of pieces that are folded, whose
+                                                              ///< border alone does not tell what is inside
+  double area = 0;                                            ///< sum of the areas of the triangles
+  double radius = 0;                                          ///< largest distance of a point from the origin
+
+  /// The lower left and the upper right corner of the bounding box, not turned. O(points).
+  std::array<std::complex<double>, 2> box() const;
+};
+
+/// \brief A piece that stays where it is. Its outline is in texels about its centre.
+struct Page_obstacle
+{
+  Page_piece outline;
+  std::complex<double> centre; ///< where it is, in texels
+};
+
+/// \brief One page to be filled with all of the pieces. Texels count from the lower left corner.
+struct Page_task
+{
+  std::vector<Page_piece> pieces;
+  std::vector<Page_obstacle> obstacles; ///< none, unless the engine heeds them. \see `ObstaclePageEngine`
+  Index width = 0, height = 0;          ///< texels, at least 1
+  double gutter = 0;                    ///< least distance between two pieces, in texels
+  double margin = 0; ///< what a piece is to keep from the border, and half of what two are to keep from each
+                     ///< other: half of the gutter, and what rounding to single precision may cost
+  Chart_rotation rotation = Chart_rotation::any;
+  double most_scale = std::numeric_limits<double>::infinity(); ///< larger scales are not wanted
+
+  /// No scale above this is wanted or can fit: pieces would fill the page, or the largest would stick out.
+  /// Finite and positive.
+  double largest_scale() const;
+};
+
+/// \brief Where the pieces of a page are: a point z of piece i goes to `positions[i] + scale * turns[i] * z`.
+struct Page_layout
+{
+  double scale = 0;                        ///< texels per unit of the pieces; in (0, `most_scale`]
+  double margin = 0;                       ///< what is kept, if not what was asked for; in texels
+  std::vector<std::complex<double>> turns; ///< per piece: of absolute value 1, as the rotation rule allows
+  std::vector<std::complex<double>> positions; ///< per piece: where its origin is, in texels
+};
+
+/// \brief Lays out the pieces of one page.
+///
+/// `lay_out()` places all pieces at one scale, the largest it finds, and `most_scale` itself where it can:
+/// then a page is filled at a given density. `std::nullopt` says that there is
+/// no room at any scale. All the rest of packing is the library's: `Page_packer` makes pieces of charts,
+/// weights and groups, fills pages, keeps locked charts in their places, and checks what comes back.
+template <typename E>
+concept PageEngine = requires(const E& e, const Page_task& task, const Execution& execution)
+{
+  {
+    e.lay_out(task, execution)
+    } -> std::same_as<std::optional<Page_layout>>;
+};
+
+/// \brief A page engine that says, by a static constant `heeds_obstacles` that is true, that it keeps pieces
+/// away from obstacles. The library fills pages with obstacles for all other engines.
+template <typename E>
+concept ObstaclePageEngine = PageEngine<E> && E::heeds_obstacles;
 
 namespace internal {
 
@@ -84,6 +165,7 @@ static_assert(ChartPacker<Page_packer>);
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/packing/internal/pages/Page_engine_impl.h>
 #include <Atlas/packing/internal/pages/Page_packer_impl.h>
 #endif
 

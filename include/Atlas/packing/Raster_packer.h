@@ -3,8 +3,8 @@
 #define ATLAS_PACKING_RASTER_PACKER_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/core/library.h>
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/packing/Page_packer.h>
 
 #include <cstddef>
 #include <optional>

@@ -5,7 +5,6 @@
 #include <Atlas/core/Any_policies.h>
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/Flattening_record.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 
 namespace Atlas {

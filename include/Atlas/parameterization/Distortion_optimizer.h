@@ -4,7 +4,6 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/core/Flattening_record.h>
 
 #include <cstddef>
 

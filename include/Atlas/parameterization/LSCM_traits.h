@@ -4,16 +4,112 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/LSCM_system.h>
 
+#include <array>
 #include <complex>
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace Atlas {
+
+/// \brief A vertex whose image in the plane is given.
+struct LSCM_pin
+{
+  Index vertex; ///< of the chart
+  Point_2 uv;   ///< in the unit of the model
+};
+
+/// \brief The linear system of least squares conformal maps as solvers see it: a sparse Hermitian matrix H in
+/// `std::complex<double>`, of which the lower triangle is stored.
+///
+/// The unknowns are the images u + iv of the free vertices, which are those that have a triangle and no pin.
+/// Unknowns are numbered in increasing order of vertices. The conformal energy of a map is 1/2 U* H U plus
+/// what the pins add. H is positive definite if the chart is connected and two vertices are pinned. Its
+/// condition grows with the square of the number of vertices, so iterative solvers are slow on large charts.
+///
+/// Lengths are in a unit in which the chart has an extent between 1 and 2; H does not depend on it.
+struct LSCM_system
+{
+  /// The lower triangle with the diagonal, in compressed columns: what Eigen, CHOLMOD and others call CSC.
+  /// The entries of column c are at [first[c], first[c+1]) of `row` and `value`, in increasing order of rows;
+  /// the first of each column is the diagonal, which is real. Off the diagonal, only entries between two
+  /// neighbours on the border have an imaginary part.
+  std::vector<int> first;
+  std::vector<int> row;
+  std::vector<std::complex<double>> value;
+
+  /// Per vertex of the chart: the number of its unknown, or -1 if it has none.
+  std::vector<int> unknown;
+
+  /// The number of unknowns.
+  std::size_t size() const { return first.size() - 1; }
+
+  /// \brief A row of the paper's complex matrix M (section 2.4), which belongs to a triangle: W_j / sqrt(d_T)
+  /// for its three corners j.
+  struct Row
+  {
+    std::array<int, 3> unknown;                ///< of each corner, or -1
+    std::array<std::complex<double>, 3> entry; ///< for the corner, also if it has no unknown
+  };
+
+  /// The rows of M, one for each triangle of the chart: for solvers of the least squares problem itself. With
+  /// the columns of the free vertices only, H = M* M / 2. Computed anew at each call, O(n).
+  std::vector<Row> least_squares_rows() const;
+
+  /// The chart that the system was made of; outlives the system.
+  const Chart* chart = nullptr;
+};
+
+/// The system of a chart in which some vertices are pinned; where to does not matter. For those who solve it
+/// themselves, and for tests of solvers. O(n).
+/// \throws Invalid_argument if a pin is no vertex of the chart
+LSCM_system lscm_system(const Chart& chart, std::span<const LSCM_pin> pins);
+
+/// \brief Solves H x = b for the Hermitian matrix of an `LSCM_system`. See \ref LSCMTraits.
+///
+/// Solvers are default constructible; each chart gets one of its own. The system outlives the solver.
+template <typename S>
+concept LSCMSolver = std::default_initializable<S> &&
+    requires(S& solver, const LSCM_system& system, std::span<std::complex<double>> b,
+             const Execution& execution)
+{
+  /// Prepares for any number of right-hand sides; `false` if that is not possible.
+  {
+    solver.factorize(system, execution)
+    } -> std::same_as<bool>;
+  /// Replaces b, one number for each unknown, by the solution; `false` if none is found.
+  {
+    solver.solve(b)
+    } -> std::same_as<bool>;
+};
+
+namespace internal {
+
+/// A solver of any type.
+struct LSCM_solver_interface
+{
+  virtual ~LSCM_solver_interface() = default;
+  virtual bool factorize(const LSCM_system& system, const Execution& execution) = 0;
+  virtual bool solve(std::span<std::complex<double>> b) = 0;
+};
+
+template <LSCMSolver Solver>
+struct LSCM_solver_model final : LSCM_solver_interface
+{
+  bool factorize(const LSCM_system& system, const Execution& execution) override
+  {
+    return solver.factorize(system, execution);
+  }
+  bool solve(std::span<std::complex<double>> b) override { return solver.solve(b); }
+
+  Solver solver;
+};
+
+} // namespace internal
 
 /// \brief What LSCM leaves open: the solver of its sparse system, and the pins.
 ///
@@ -100,6 +196,7 @@ using Conjugate_gradient_LSCM_traits = Basic_LSCM_traits<Conjugate_gradient_LSCM
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/parameterization/internal/conformal/LSCM_system_impl.h>
 #include <Atlas/parameterization/internal/conformal/LSCM_traits_impl.h>
 #endif
 

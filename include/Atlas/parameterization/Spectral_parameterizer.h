@@ -4,7 +4,6 @@
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/LSCM_system.h>
 #include <Atlas/parameterization/LSCM_traits.h>
 
 namespace Atlas {

@@ -3,11 +3,10 @@
 #define ATLAS_PIPELINE_ATLAS_REPORT_H
 
 #include <Atlas/core/Chart.h>
-#include <Atlas/core/Flattening_record.h>
-#include <Atlas/core/Stage.h>
+#include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/measure/distortion.h>
-#include <Atlas/validation/Atlas_certificate.h>
+#include <Atlas/validation/certify.h>
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #define ATLAS_PIPELINE_PRESETS_H
 
 #include <Atlas/core/Any_policies.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/segmentation/merge_charts.h>
 
 namespace Atlas {

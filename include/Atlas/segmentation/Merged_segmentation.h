@@ -3,10 +3,10 @@
 #define ATLAS_SEGMENTATION_MERGED_SEGMENTATION_H
 
 #include <Atlas/core/Any_policies.h>
-#include <Atlas/core/Distortion_bound.h>
+#include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/segmentation/merge_charts.h>
 
 namespace Atlas {

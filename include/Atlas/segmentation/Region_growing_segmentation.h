@@ -4,7 +4,7 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 namespace Atlas {
 

@@ -5,7 +5,7 @@
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <cstddef>
 #include <functional>

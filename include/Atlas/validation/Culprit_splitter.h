@@ -3,7 +3,7 @@
 #define ATLAS_VALIDATION_CULPRIT_SPLITTER_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <vector>
 

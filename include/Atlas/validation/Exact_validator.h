@@ -3,7 +3,7 @@
 #define ATLAS_VALIDATION_EXACT_VALIDATOR_H
 
 #include <Atlas/core/concepts.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 namespace Atlas {
 

@@ -2,7 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_GLTF_TEXTURE_H
 #define ATLAS_IO_INTERNAL_GLTF_TEXTURE_H
 
-#include <Atlas/IO/read_textures.h>
+#include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/image/internal/image_of.h>
 

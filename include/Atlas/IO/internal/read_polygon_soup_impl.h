@@ -10,7 +10,7 @@
 #include <Atlas/IO/internal/read_stl.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <string>
 

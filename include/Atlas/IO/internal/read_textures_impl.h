@@ -6,9 +6,9 @@
 #include <Atlas/IO/internal/extension.h>
 #include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/internal/load_gltf.h>
-#include <Atlas/IO/read_textures.h>
-#include <Atlas/core/library.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/IO/read_polygon_soup.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/pages.h>
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/bounding_box.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/soup/internal/split_vertices.h>
 

@@ -4,7 +4,7 @@
 
 #include <Atlas/IO/internal/page_material_name.h>
 #include <Atlas/IO/write_model.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/soup/internal/index_uv.h>
 #include <Atlas/soup/internal/number_text.h>

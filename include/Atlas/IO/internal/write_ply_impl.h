@@ -3,7 +3,7 @@
 #define ATLAS_IO_INTERNAL_WRITE_PLY_IMPL_H
 
 #include <Atlas/IO/write_model.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/soup/internal/split_vertices.h>
 

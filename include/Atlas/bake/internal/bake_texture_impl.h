@@ -7,7 +7,7 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/fill_polygon.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/bake/internal/interpolated.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #define ATLAS_CORE_INTERNAL_FLATTENED_CHART_H
 
 #include <Atlas/core/Chart.h>
-#include <Atlas/core/Flattening_record.h>
 #include <Atlas/core/concepts.h>
 
 namespace Atlas::internal {

@@ -3,6 +3,7 @@
 #define ATLAS_CORE_INTERNAL_BUILD_SURFACE_IMPL_H
 
 #include <Atlas/core/build_surface.h>
+#include <Atlas/core/errors.h>
 #include <Atlas/core/internal/equal_points.h>
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/core/internal/triangulate_polygon.h>
@@ -43,24 +44,22 @@ inline bool usable_corners(const std::vector<Point_3>& points, std::span<const I
 
 } // namespace internal
 
-ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vector<std::size_t>& first,
-                                   const std::vector<Index>& vertices)
-{
-  Surface surface;
-  surface.points = std::move(points);
-  surface.number_of_faces = first.empty() ? 0 : first.size() - 1;
-  surface.number_of_corners = vertices.size();
+namespace internal {
 
+/// Fills the triangles of the surface from its polygons; lists those that cannot take part.
+inline void triangulate_polygons(Surface& surface, const std::vector<std::size_t>& first,
+                                 const std::vector<Index>& vertices)
+{
   std::vector<Index> corners;
   std::vector<std::array<Index, 3>> pieces;
   for (std::size_t f = 0; f < surface.number_of_faces; ++f) {
     const std::span<const Index> polygon(vertices.data() + first[f], first[f + 1] - first[f]);
     Rejection reason{};
-    if (!internal::usable_corners(surface.points, polygon, corners, reason)) {
+    if (!usable_corners(surface.points, polygon, corners, reason)) {
       surface.rejected.push_back({static_cast<Index>(f), reason});
       continue;
     }
-    internal::triangulate_polygon(
+    triangulate_polygon(
         corners.size(), [&](std::size_t i) { return surface.points[polygon[corners[i]]]; }, pieces);
     for (const auto& piece : pieces) {
       std::array<Index, 3> triangle;
@@ -72,11 +71,11 @@ ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vecto
       surface.face.push_back(static_cast<Index>(f));
     }
   }
+}
 
-  // Diagonals pair within their polygon, the other edges over the whole mesh.
-  const std::size_t halfedges = 3 * surface.triangles.size();
-  surface.opposite.assign(halfedges, no_index);
-  const auto vertex = [&](Index h) { return surface.triangles[h / 3][h % 3]; };
+/// Pairs the diagonals of each polygon.
+inline void pair_diagonals(Surface& surface)
+{
   const auto corner = [&](Index h) { return surface.corner[h]; };
   std::vector<Index> candidates;
   for (std::size_t t = 0; t < surface.triangles.size();) {
@@ -86,25 +85,49 @@ ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vecto
       for (Index i = 0; i < 3; ++i)
         candidates.push_back(static_cast<Index>(3 * end) + i);
     if (end - t > 1)
-      internal::pair_halfedges(
+      pair_halfedges(
           candidates, corner, [&](Index h) { return corner(next_halfedge(h)); }, surface.opposite);
     t = end;
   }
-  const auto collect_open = [&] {
-    candidates.clear();
-    for (Index h = 0; h < halfedges; ++h)
-      if (surface.opposite[h] == no_index)
-        candidates.push_back(h);
-  };
-  collect_open();
+}
+
+/// The halfedges without an opposite.
+inline std::vector<Index> open_halfedges(const Surface& surface)
+{
+  std::vector<Index> result;
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (surface.opposite[h] == no_index)
+      result.push_back(h);
+  return result;
+}
+
+} // namespace internal
+
+ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vector<std::size_t>& first,
+                                   const std::vector<Index>& vertices)
+{
+  internal::require(std::is_sorted(first.begin(), first.end()) &&
+                        (first.empty() || first.back() <= vertices.size()),
+                    "first", "must not decrease, and end with at most the number of corners");
+  Surface surface;
+  surface.points = std::move(points);
+  surface.number_of_faces = first.empty() ? 0 : first.size() - 1;
+  surface.number_of_corners = vertices.size();
+  internal::triangulate_polygons(surface, first, vertices);
+
+  // Diagonals pair within their polygon, the other edges over the whole mesh.
+  surface.opposite.assign(3 * surface.triangles.size(), no_index);
+  internal::pair_diagonals(surface);
+  const auto vertex = [&](Index h) { return surface.triangles[h / 3][h % 3]; };
   internal::pair_halfedges(
-      candidates, vertex, [&](Index h) { return vertex(next_halfedge(h)); }, surface.opposite);
-  collect_open();
-  if (!candidates.empty()) {
+      internal::open_halfedges(surface), vertex, [&](Index h) { return vertex(next_halfedge(h)); },
+      surface.opposite);
+  const std::vector<Index> open = internal::open_halfedges(surface);
+  if (!open.empty()) {
     const std::vector<Index> merged = internal::merge_equal_points(surface.points);
     const auto place = [&](Index h) { return merged[vertex(h)]; };
     internal::pair_halfedges(
-        candidates, place, [&](Index h) { return place(next_halfedge(h)); }, surface.opposite);
+        open, place, [&](Index h) { return place(next_halfedge(h)); }, surface.opposite);
   }
   return surface;
 }

@@ -2,7 +2,7 @@
 #ifndef ATLAS_CORE_INTERNAL_CHARTS_OF_UV_IMPL_H
 #define ATLAS_CORE_INTERNAL_CHARTS_OF_UV_IMPL_H
 
-#include <Atlas/core/charts_of_uv.h>
+#include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/halfedges.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #define ATLAS_CORE_INTERNAL_CHECK_SURFACE_H
 
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 namespace Atlas::internal {
 

@@ -2,9 +2,9 @@
 #ifndef ATLAS_CORE_INTERNAL_CONSTRAIN_EDGES_IMPL_H
 #define ATLAS_CORE_INTERNAL_CONSTRAIN_EDGES_IMPL_H
 
-#include <Atlas/core/charts_of_uv.h>
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
+#include <Atlas/core/extract_charts.h>
 
 #include <CGAL/enum.h>
 

@@ -2,7 +2,7 @@
 #ifndef ATLAS_CORE_INTERNAL_JOIN_SURFACES_IMPL_H
 #define ATLAS_CORE_INTERNAL_JOIN_SURFACES_IMPL_H
 
-#include <Atlas/core/join_surfaces.h>
+#include <Atlas/core/build_surface.h>
 
 #include <algorithm>
 #include <array>

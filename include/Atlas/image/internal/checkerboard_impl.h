@@ -2,7 +2,7 @@
 #ifndef ATLAS_IMAGE_INTERNAL_CHECKERBOARD_IMPL_H
 #define ATLAS_IMAGE_INTERNAL_CHECKERBOARD_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/Image.h>
 #include <Atlas/image/internal/hue.h>
 

@@ -3,7 +3,7 @@
 #define ATLAS_IMAGE_INTERNAL_DRAW_ATLAS_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/internal/color_scale.h>
 #include <Atlas/image/internal/fill_polygon.h>

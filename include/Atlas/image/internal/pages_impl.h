@@ -3,7 +3,7 @@
 #define ATLAS_IMAGE_INTERNAL_PAGES_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/pages.h>
 
 #include <cmath>

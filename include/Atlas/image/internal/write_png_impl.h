@@ -3,8 +3,8 @@
 #define ATLAS_IMAGE_INTERNAL_WRITE_PNG_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/internal/Output_file.h>
 
 #include <png.h>

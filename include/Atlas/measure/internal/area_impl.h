@@ -2,7 +2,7 @@
 #ifndef ATLAS_MEASURE_INTERNAL_AREA_IMPL_H
 #define ATLAS_MEASURE_INTERNAL_AREA_IMPL_H
 
-#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
 
 #include <cmath>
 

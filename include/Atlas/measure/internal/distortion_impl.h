@@ -29,6 +29,29 @@ ATLAS_INLINE Triangle_distortion triangle_distortion(const std::array<Point_3, 3
   return result;
 }
 
+namespace internal {
+
+/// The extremes and quantiles of ratios of area, given with the weights of their triangles.
+inline void summarize_areas(std::vector<std::pair<double, double>> ratios, Distortion& d)
+{
+  std::sort(ratios.begin(), ratios.end());
+  d.area_min = ratios.front().first;
+  d.area_max = ratios.back().first;
+  const auto quantile = [&](double q) {
+    double sum = 0;
+    for (const auto& [r, w] : ratios)
+      if ((sum += w) >= q)
+        return r;
+    return ratios.back().first;
+  };
+  d.area_p1 = quantile(0.01);
+  d.area_p5 = quantile(0.05);
+  d.area_p95 = quantile(0.95);
+  d.area_p99 = quantile(0.99);
+}
+
+} // namespace internal
+
 ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion> measured)
 {
   Distortion d;
@@ -67,20 +90,7 @@ ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion
   d.area_mean = area;
   d.symmetric_dirichlet_mean = dirichlet;
 
-  std::sort(ratios.begin(), ratios.end());
-  d.area_min = ratios.front().first;
-  d.area_max = ratios.back().first;
-  const auto quantile = [&](double q) {
-    double sum = 0;
-    for (const auto& [r, w] : ratios)
-      if ((sum += w) >= q)
-        return r;
-    return ratios.back().first;
-  };
-  d.area_p1 = quantile(0.01);
-  d.area_p5 = quantile(0.05);
-  d.area_p95 = quantile(0.95);
-  d.area_p99 = quantile(0.99);
+  internal::summarize_areas(std::move(ratios), d);
   return d;
 }
 

@@ -2,11 +2,10 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_BIJECTIVE_PARAMETERIZER_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_BIJECTIVE_PARAMETERIZER_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
-#include <Atlas/parameterization/Schnyder_parameterizer.h>
 #include <Atlas/parameterization/internal/geometry/injectivity.h>
 
 #include <utility>

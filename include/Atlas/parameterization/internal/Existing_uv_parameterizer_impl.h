@@ -2,8 +2,8 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_EXISTING_UV_PARAMETERIZER_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_EXISTING_UV_PARAMETERIZER_IMPL_H
 
-#include <Atlas/core/library.h>
-#include <Atlas/measure/area.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
 

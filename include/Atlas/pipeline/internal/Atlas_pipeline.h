@@ -3,7 +3,6 @@
 #define ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
 
 #include <Atlas/core/internal/mean_weight.h>
-#include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_flattener.h>

@@ -7,9 +7,8 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Flattened_chart.h>
-#include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
-#include <Atlas/parameterization/Schnyder_parameterizer.h>
+#include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>

@@ -2,9 +2,9 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_H
 #define ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_H
 
+#include <Atlas/core/Execution.h>
 #include <Atlas/core/Packing.h>
-#include <Atlas/core/Stage.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/presets.h>
 

@@ -2,7 +2,7 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_IMPL_H
 #define ATLAS_PIPELINE_INTERNAL_RUN_ATLAS_IMPL_H
 
-#include <Atlas/core/constrain_edges.h>
+#include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/check_surface.h>
 #include <Atlas/pipeline/internal/Atlas_pipeline.h>

@@ -2,14 +2,14 @@
 #ifndef ATLAS_REPORT_INTERNAL_WRITE_HTML_REPORT_IMPL_H
 #define ATLAS_REPORT_INTERNAL_WRITE_HTML_REPORT_IMPL_H
 
-#include <Atlas/core/library.h>
-#include <Atlas/image/image_files.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/image/Image.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/internal/base64.h>
 #include <Atlas/report/internal/report_page.h>
 #include <Atlas/report/write_report.h>
-#include <Atlas/soup/face_distortion.h>
 #include <Atlas/soup/internal/Triangle_list.h>
+#include <Atlas/soup/internal/face_distortion.h>
 #include <Atlas/soup/internal/index_uv.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_REPORT_INTERNAL_WRITE_REPORT_IMPL_H
 #define ATLAS_REPORT_INTERNAL_WRITE_REPORT_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/report/write_report.h>
 

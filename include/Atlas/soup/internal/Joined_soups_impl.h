@@ -2,7 +2,7 @@
 #ifndef ATLAS_SOUP_INTERNAL_JOINED_SOUPS_IMPL_H
 #define ATLAS_SOUP_INTERNAL_JOINED_SOUPS_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/soup/Joined_soups.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/measure/distortion.h>
-#include <Atlas/soup/face_distortion.h>
+#include <Atlas/soup/internal/face_distortion.h>
 
 #include <algorithm>
 #include <array>

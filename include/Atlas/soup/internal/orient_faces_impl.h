@@ -6,7 +6,7 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/equal_points.h>
 #include <Atlas/core/internal/halfedges.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/soup/internal/turn_face.h>
 #include <Atlas/soup/orient_faces.h>
 

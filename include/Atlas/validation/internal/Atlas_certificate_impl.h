@@ -2,7 +2,7 @@
 #ifndef ATLAS_VALIDATION_INTERNAL_ATLAS_CERTIFICATE_IMPL_H
 #define ATLAS_VALIDATION_INTERNAL_ATLAS_CERTIFICATE_IMPL_H
 
-#include <Atlas/validation/Atlas_certificate.h>
+#include <Atlas/validation/certify.h>
 
 #include <sstream>
 

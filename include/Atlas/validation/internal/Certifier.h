@@ -6,7 +6,6 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/area_in_space.h>
 #include <Atlas/planar/internal/coverage_sweep.h>
-#include <Atlas/validation/Atlas_certificate.h>
 #include <Atlas/validation/certify.h>
 #include <Atlas/validation/internal/Uv_charts.h>
 #include <Atlas/validation/internal/chart_clearance.h>

@@ -8,7 +8,7 @@
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/soup/internal/corner_normals.h>
 
 #include <CGAL/AABB_tree.h>

@@ -3,7 +3,7 @@
 #define ATLAS_IMAGE_INTERNAL_RENDERING_RENDER_MODEL_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/image/render_model.h>
 #include <Atlas/soup/internal/Triangle_list.h>
 

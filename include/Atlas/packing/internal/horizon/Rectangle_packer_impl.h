@@ -2,8 +2,8 @@
 #ifndef ATLAS_PACKING_INTERNAL_HORIZON_RECTANGLE_PACKER_IMPL_H
 #define ATLAS_PACKING_INTERNAL_HORIZON_RECTANGLE_PACKER_IMPL_H
 
+#include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Page_packer.h>
-#include <Atlas/packing/Rectangle_packer.h>
 #include <Atlas/packing/internal/horizon/horizon_layout.h>
 #include <Atlas/packing/internal/pages/page_task.h>
 

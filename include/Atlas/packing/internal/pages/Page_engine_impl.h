@@ -2,8 +2,8 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_PAGE_ENGINE_IMPL_H
 #define ATLAS_PACKING_INTERNAL_PAGES_PAGE_ENGINE_IMPL_H
 
-#include <Atlas/core/library.h>
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/pages/scale_search.h>
 
 #include <algorithm>

@@ -177,8 +177,7 @@ private:
     for (const Index i : by_size(outlines_)) {
       if (2 * scale * outlines_.charts[i].radius < room || execution_.is_cancelled())
         break;
-      const std::optional<Layout> alone =
-          layout(subset(outlines_, std::span(&i, 1)), nullptr, scale);
+      const std::optional<Layout> alone = layout(subset(outlines_, std::span(&i, 1)), nullptr, scale);
       if (alone)
         scale = std::min(scale, alone->scale);
     }

@@ -3,7 +3,7 @@
 #define ATLAS_PACKING_INTERNAL_PAGES_OBSTACLE_LAYOUT_H
 
 #include <Atlas/core/Execution.h>
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/scale_search.h>
 #include <Atlas/packing/internal/raster/Raster_builder.h>

@@ -2,11 +2,10 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_PACK_CHARTS_IMPL_H
 #define ATLAS_PACKING_INTERNAL_PAGES_PACK_CHARTS_IMPL_H
 
-#include <Atlas/core/charts_of_uv.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/core/internal/mean_weight.h>
-#include <Atlas/core/library.h>
 #include <Atlas/packing/pack_charts.h>
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_PAGE_TASK_H
 #define ATLAS_PACKING_INTERNAL_PAGES_PAGE_TASK_H
 
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 #include <Atlas/planar/internal/vectors.h>

@@ -2,8 +2,8 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_PLACE_OF_CHART_IMPL_H
 #define ATLAS_PACKING_INTERNAL_PAGES_PLACE_OF_CHART_IMPL_H
 
-#include <Atlas/core/library.h>
-#include <Atlas/packing/place_of_chart.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include <CGAL/Bbox_2.h>
 

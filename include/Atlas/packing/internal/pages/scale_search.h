@@ -2,7 +2,7 @@
 #ifndef ATLAS_PACKING_INTERNAL_PAGES_SCALE_SEARCH_H
 #define ATLAS_PACKING_INTERNAL_PAGES_SCALE_SEARCH_H
 
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 
 #include <algorithm>

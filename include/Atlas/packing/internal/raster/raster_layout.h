@@ -2,7 +2,7 @@
 #ifndef ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
 #define ATLAS_PACKING_INTERNAL_RASTER_RASTER_LAYOUT_H
 
-#include <Atlas/packing/Page_engine.h>
+#include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/horizon/horizon_layout.h>
 #include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/obstacle_layout.h>

@@ -3,7 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_ANGLES_ABF_PARAMETERIZER_IMPL_H
 
 #include <Atlas/core/extract_charts.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/ABF_parameterizer.h>
 #include <Atlas/parameterization/internal/angles/Angle_flattener.h>
 #include <Atlas/parameterization/internal/angles/angle_layout.h>

@@ -2,8 +2,8 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_INTERACTIVE_LSCM_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_INTERACTIVE_LSCM_IMPL_H
 
-#include <Atlas/core/library.h>
-#include <Atlas/parameterization/Interactive_LSCM.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/internal/conformal/conformal_system.h>
 #include <Atlas/parameterization/internal/conformal/pins.h>
 #include <Atlas/parameterization/internal/geometry/normalize_area.h>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_LSCM_PARAMETERIZER_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_LSCM_PARAMETERIZER_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/internal/conformal/conformal_system.h>
 #include <Atlas/parameterization/internal/conformal/pins.h>

@@ -3,8 +3,8 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_LSCM_SYSTEM_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/internal/conformal/conformal_system.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_LSCM_TRAITS_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/internal/conformal/conjugate_gradients.h>
 #include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>

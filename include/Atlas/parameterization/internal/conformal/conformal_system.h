@@ -2,7 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_CONFORMAL_SYSTEM_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_CONFORMAL_SYSTEM_H
 
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/internal/conformal/conformal_energy.h>
 
 #include <algorithm>

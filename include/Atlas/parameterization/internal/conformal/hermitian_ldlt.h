@@ -3,7 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_HERMITIAN_LDLT_H
 
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

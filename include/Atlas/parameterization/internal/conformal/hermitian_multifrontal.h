@@ -3,7 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_HERMITIAN_MULTIFRONTAL_H
 
 #include <Atlas/core/Execution.h>
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/internal/sparse/fill_reducing_order.h>
 #include <Atlas/parameterization/internal/sparse/multifrontal_cholesky.h>
 

@@ -2,7 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_PINS_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_CONFORMAL_PINS_H
 
-#include <Atlas/parameterization/LSCM_system.h>
+#include <Atlas/parameterization/LSCM_traits.h>
 #include <Atlas/parameterization/internal/geometry/border.h>
 
 #include <span>

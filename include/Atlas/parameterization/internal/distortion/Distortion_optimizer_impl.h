@@ -2,7 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_DISTORTION_DISTORTION_OPTIMIZER_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_DISTORTION_DISTORTION_OPTIMIZER_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/internal/distortion/Multilevel_start.h>
 #include <Atlas/parameterization/internal/distortion/distortion_minimizer.h>

@@ -2,7 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_FIXED_BORDER_FIXED_BORDER_PARAMETERIZER_IMPL_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_FIXED_BORDER_FIXED_BORDER_PARAMETERIZER_IMPL_H
 
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/internal/fixed_border/barycentric_map.h>
 #include <Atlas/parameterization/internal/fixed_border/convex_weights.h>

@@ -3,8 +3,8 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_FIXED_BORDER_SCHNYDER_PARAMETERIZER_IMPL_H
 
 #include <Atlas/core/extract_charts.h>
-#include <Atlas/core/library.h>
-#include <Atlas/parameterization/Schnyder_parameterizer.h>
+#include <Atlas/core/internal/library.h>
+#include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/internal/fixed_border/schnyder_realizer.h>
 #include <Atlas/parameterization/internal/geometry/injectivity.h>
 #include <Atlas/parameterization/internal/geometry/normalize_area.h>

@@ -4,7 +4,7 @@
 
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Flattened_chart.h>
-#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/merging/merge_across_forbidden_seams.h>

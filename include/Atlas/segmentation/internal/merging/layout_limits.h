@@ -3,7 +3,6 @@
 #define ATLAS_SEGMENTATION_INTERNAL_MERGING_LAYOUT_LIMITS_H
 
 #include <Atlas/core/Chart.h>
-#include <Atlas/measure/area.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/segmentation/internal/merging/layout_quality.h>
 #include <Atlas/segmentation/merge_charts.h>

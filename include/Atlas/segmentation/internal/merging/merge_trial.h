@@ -5,7 +5,7 @@
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/halfedges.h>
-#include <Atlas/measure/area.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/segmentation/internal/merging/Chart_arcs.h>
 #include <Atlas/segmentation/internal/merging/Coarse_surface.h>
 #include <Atlas/segmentation/internal/merging/Merge_trials.h>

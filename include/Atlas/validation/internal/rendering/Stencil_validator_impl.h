@@ -3,7 +3,7 @@
 #define ATLAS_VALIDATION_INTERNAL_RENDERING_STENCIL_VALIDATOR_IMPL_H
 
 #include <Atlas/core/errors.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 #include <Atlas/validation/Stencil_validator.h>
 #include <Atlas/validation/internal/chart_densities.h>
 #include <Atlas/validation/internal/chart_faults.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_CORE_LIBRARY_H
-#define ATLAS_CORE_LIBRARY_H
+#ifndef ATLAS_CORE_INTERNAL_LIBRARY_H
+#define ATLAS_CORE_INTERNAL_LIBRARY_H
 
 /// \file
 /// \brief How Atlas is compiled.

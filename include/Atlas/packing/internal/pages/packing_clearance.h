@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_PACKING_PACKING_CLEARANCE_H
-#define ATLAS_PACKING_PACKING_CLEARANCE_H
+#ifndef ATLAS_PACKING_INTERNAL_PAGES_PACKING_CLEARANCE_H
+#define ATLAS_PACKING_INTERNAL_PAGES_PACKING_CLEARANCE_H
 
 #include <Atlas/core/Chart.h>
 #include <Atlas/core/Packing.h>
-#include <Atlas/core/library.h>
+#include <Atlas/core/internal/library.h>
 
 #include <span>
 

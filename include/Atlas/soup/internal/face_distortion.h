@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ATLAS_SOUP_FACE_DISTORTION_H
-#define ATLAS_SOUP_FACE_DISTORTION_H
+#ifndef ATLAS_SOUP_INTERNAL_FACE_DISTORTION_H
+#define ATLAS_SOUP_INTERNAL_FACE_DISTORTION_H
 
 #include <Atlas/soup/Polygon_soup.h>
 
