@@ -67,7 +67,7 @@ target_precompile_headers(atlas_kernel_headers_alone PRIVATE ${atlas_include}/At
 # All headers but those that say so, and all definitions behind them, go together without a library, and compile when
 # CGAL refuses its GPL packages.
 set(content)
-foreach(header IN LISTS atlas_headers)
+foreach(header IN LISTS atlas_public_headers atlas_headers) # public ones come first, as for a user
   if(NOT header IN_LIST atlas_gpl_headers)
     string(APPEND content "#include <${header}>\n")
   endif()
