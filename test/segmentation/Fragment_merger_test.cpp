@@ -5,6 +5,8 @@
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
+#include <Atlas/segmentation/internal/rejoining/Trial_merge.h>
+#include <Atlas/validation/Exact_validator.h>
 
 #include "segmentation_checks.h"
 #include "test_meshes.h"
@@ -176,7 +178,7 @@ struct Corners_apart
     return part;
   }
 };
-static_assert(ChartValidator<Corners_apart>);
+static_assert(ChartValidator<Corners_apart> && ChartSplitter<Corners_apart>);
 
 Atlas_report atlas_in_strips(unsigned threads, std::vector<Point_2>& uv)
 {
