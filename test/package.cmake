@@ -136,40 +136,34 @@ set(consumer ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 add_test(NAME Package.Install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${consumer}/prefix)
 set_tests_properties(Package.Install PROPERTIES FIXTURES_SETUP atlas_installed)
 
-# atlas_consumer_test(NAME TARGETS OPTIONS...): configures the consumer project and builds its targets; runs them.
-function(atlas_consumer_test name targets)
-  set(build)
-  foreach(target IN LISTS targets)
-    list(APPEND build --build-target ${target})
-  endforeach()
-  set(options)
-  foreach(option IN LISTS ARGN)
-    list(APPEND options ${option})
-  endforeach()
+set(from_prefix -DCMAKE_PREFIX_PATH=${consumer}/prefix)
+set(configure -G ${CMAKE_GENERATOR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER})
+
+# atlas_consumer_test(NAME TARGET OPTIONS...): configures the consumer project, builds the target and runs what it has made.
+function(atlas_consumer_test name target)
   add_test(NAME ${name}
            COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer ${consumer}/${name}
-                   --build-generator ${CMAKE_GENERATOR} --build-makeprogram ${CMAKE_MAKE_PROGRAM} ${build}
-                   --build-options ${options} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                   --build-generator ${CMAKE_GENERATOR} --build-makeprogram ${CMAKE_MAKE_PROGRAM} --build-target ${target}
+                   --build-options ${ARGN} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
                    -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
-                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure)
+                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error)
 endfunction()
-function(atlas_installed_test name found)
-  string(REPLACE ";" "," found "${found}")
-  atlas_consumer_test(${name} "${consumer_targets}" -DCMAKE_PREFIX_PATH=${consumer}/prefix -DEXPECTED=${found} ${ARGN})
-  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED atlas_installed)
+atlas_consumer_test(Package.FindPackage all ${from_prefix} -DEXPECTED=IO,Rendering,Occlusion)
+# As a subdirectory: what needs no library of Atlas, since that would be compiled once more.
+atlas_consumer_test(Package.AddSubdirectory consumer_header_only -DATLAS_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DEXPECTED=IO)
+
+# What a component needs may be missing: then it is not found, and nothing else fails. The first list is what is left.
+function(atlas_missing_test name left)
+  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/consumer -B ${consumer}/${name}
+                                ${configure} ${from_prefix} -DEXPECTED=${left} ${ARGN})
 endfunction()
-set(consumer_targets all)
-atlas_installed_test(Package.FindPackage "IO;Rendering;Occlusion")
-# What a component needs may be missing: then it is not found, and nothing else fails.
-set(consumer_targets help)
-atlas_installed_test(Package.FindPackageWithoutOSMesa "IO;Occlusion" -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON)
-atlas_installed_test(Package.FindPackageWithoutPNG "Rendering" -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
+atlas_missing_test(Package.FindPackageWithoutOSMesa IO,Occlusion -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON)
+atlas_missing_test(Package.FindPackageWithoutPNG Rendering -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
+set_tests_properties(Package.FindPackage Package.FindPackageWithoutOSMesa Package.FindPackageWithoutPNG
+                     PROPERTIES FIXTURES_REQUIRED atlas_installed)
 add_test(NAME Package.ConfigureWithoutOSMesa
-         COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${consumer}/without_osmesa -G ${CMAKE_GENERATOR}
-                 -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON
-                 -DATLAS_BUILD_TESTS=OFF)
+         COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${consumer}/without_osmesa ${configure}
+                 -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON -DATLAS_BUILD_TESTS=OFF)
 set_tests_properties(Package.ConfigureWithoutOSMesa PROPERTIES
                      PASS_REGULAR_EXPRESSION "without its component Rendering; not found: OSMesa.*Generating done"
                      FAIL_REGULAR_EXPRESSION "CMake Error")
-# As a subdirectory: what needs no library of Atlas, since that would be compiled once more.
-atlas_consumer_test(Package.AddSubdirectory consumer_header_only -DATLAS_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DEXPECTED=IO)
