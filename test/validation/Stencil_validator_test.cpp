@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/core/errors.h>
+#include <Atlas/planar/internal/segments.h>
 #include <Atlas/validation/Stencil_validator.h>
-#include <Atlas/validation/internal/chart_clearance.h>
 #include <Atlas/validation/internal/rendering/Stencil_painter.h>
 
 #include "test_meshes.h"
@@ -20,11 +20,12 @@ constexpr double slack = 1.0 / 128;
 double depth(const Triangle_uv& t, const Point_2& p)
 {
   const double area = CGAL::area(t[0], t[1], t[2]);
+  const auto vector = [](const Point_2& q) { return internal::Vec2{q.x(), q.y()}; };
   double nearest = INFINITY;
   bool is_inside = area != 0;
   for (int i = 0; i < 3; ++i) {
     const Point_2 &a = t[i], &b = t[(i + 1) % 3];
-    nearest = std::min(nearest, internal::squared_distance(p, a, b));
+    nearest = std::min(nearest, internal::squared_distance(vector(p), vector(a), vector(b)));
     is_inside = is_inside && CGAL::area(a, b, p) * area > 0;
   }
   return is_inside ? std::sqrt(nearest) : -std::sqrt(nearest);
