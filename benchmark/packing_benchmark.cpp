@@ -13,7 +13,6 @@
 #include <Atlas/image/draw_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
-#include <Atlas/packing/internal/pages/packing_clearance.h>
 #include <Atlas/packing/pack_charts.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>

@@ -2,7 +2,7 @@
 // A packer of one's own: an engine that stands the bounding boxes of pieces side by side on shelves. Pages,
 // the gutter, a density, groups and locked charts are the library's.
 #include <Atlas/packing/Page_packer.h>
-#include <Atlas/packing/internal/pages/packing_clearance.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include <algorithm>
 #include <complex>
@@ -18,24 +18,25 @@ struct Shelf_engine
 {
   std::optional<Atlas::Page_layout> lay_out(const Atlas::Page_task& task, const Atlas::Execution&) const
   {
+    const Complex gap(task.margin, task.margin);
     const std::vector<Complex> upright(task.pieces.size(), 1), nowhere;
     Atlas::Page_layout layout{task.largest_scale(), task.margin, upright, nowhere};
-    for (bool fits = false; !fits && layout.scale > 1e-6; layout.scale *= fits ? 1 : 0.99) {
-      Complex corner = 0, gap(task.margin, task.margin);
-      double top = 0; // of the shelf
-      fits = true;
-      layout.positions.clear();
+    for (; layout.scale > 1e-6; layout.scale *= 0.99, layout.positions.clear()) {
+      Complex corner = 0;
+      double top = 0, right = 0; // what the shelves take
       for (const Atlas::Page_piece& piece : task.pieces) {
         const auto [low, high] = piece.box();
         const Complex size = layout.scale * (high - low) + 2.0 * gap;
         corner = corner.real() + size.real() > task.width ? Complex(0, top) : corner;
         layout.positions.push_back(corner + gap - layout.scale * low);
-        top = std::max(top, corner.imag() + size.imag());
         corner += size.real();
-        fits = fits && corner.real() <= task.width && top <= task.height;
+        top = std::max(top, corner.imag() + size.imag());
+        right = std::max(right, corner.real());
       }
+      if (right <= task.width && top <= task.height)
+        return layout;
     }
-    return layout.scale > 1e-6 ? std::optional(layout) : std::nullopt;
+    return std::nullopt;
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/packing/Horizon_packer.h>
-#include <Atlas/packing/internal/pages/packing_clearance.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include "test_charts.h"
 

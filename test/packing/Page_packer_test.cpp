@@ -3,7 +3,7 @@
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/Raster_packer.h>
-#include <Atlas/packing/internal/pages/packing_clearance.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include "test_charts.h"
 #include <cmath>
