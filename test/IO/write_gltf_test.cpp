@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is written as glTF and PLY is read back; formats with one set of attributes per vertex split vertices.
+#include <Atlas/IO/internal/read_gltf.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/image/Image.h>
