@@ -4,9 +4,9 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/packing/pack_charts.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 #include <Atlas/packing/internal/shapes/chart_clearance.h>
+#include <Atlas/packing/pack_charts.h>
 
 #include <algorithm>
 #include <cstddef>
