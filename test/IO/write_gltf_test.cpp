@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What is written as glTF and PLY is read back; formats with one set of attributes per vertex split vertices.
-#include <Atlas/IO/internal/read_gltf.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/image/Image.h>
@@ -65,7 +64,7 @@ TEST(Write_glb, comes_back_the_same)
     Polygon_soup soup = two_triangles(is_cut);
     soup.face_material = {0, 1}; // in the order of the primitives
     write_glb(folder / "a.glb", soup, png_bytes(checkerboard(16, 4)));
-    const Polygon_soup back = read_gltf(folder / "a.glb");
+    const Polygon_soup back = read_polygon_soup(folder / "a.glb");
     expect_same_corners(soup, back);
     EXPECT_EQ(back.material_names, soup.material_names);
     EXPECT_EQ(back.face_material, soup.face_material);
@@ -91,7 +90,7 @@ TEST(Write_glb, models_far_from_the_origin_or_huge_keep_their_shape)
       for (Point_3& p : moved.points)
         p = Point_3(scale * (p.x() + shift), scale * (p.y() - shift), scale * p.z());
       write_glb(folder / "a.glb", moved, "");
-      const Polygon_soup back = read_gltf(folder / "a.glb");
+      const Polygon_soup back = read_polygon_soup(folder / "a.glb");
       for (std::size_t c = 0; c < 6; ++c)
         EXPECT_LT(
             std::sqrt((back.points[back.vertices[c]] - moved.points[moved.vertices[c]]).squared_length() /
@@ -107,7 +106,7 @@ TEST(Write_glb, leaves_out_faces_without_a_shape)
   soup.vertices[0] = 77;
   soup.points[0] = Point_3(NAN, INFINITY, 0);
   write_glb(folder / "a.glb", soup, "");
-  EXPECT_EQ(read_gltf(folder / "a.glb").number_of_faces(), 1u);
+  EXPECT_EQ(read_polygon_soup(folder / "a.glb").number_of_faces(), 1u);
 }
 
 TEST(Write_ply, both_styles_come_back_the_same)

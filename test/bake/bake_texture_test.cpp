@@ -113,5 +113,6 @@ TEST(Bake_texture, faces_without_coordinates_are_left_out)
   soup.uv[0] = Point_2(NAN, 0);
   soup.vertices = {0, 1, 2};
   soup.first = {0, 3};
+  soup.uv.resize(3);
   EXPECT_EQ(bake_vertex_colors(soup, 4).pixels, std::vector<Color>(16, Color{128, 128, 128}));
 }

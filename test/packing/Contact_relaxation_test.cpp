@@ -10,13 +10,14 @@ namespace {
 
 constexpr double side = 128; ///< of the page
 
-/// Squares of one unit on a page with a square of 40 texels in its middle that does not move.
+/// Squares of one unit on a page with a square of 40 texels in its middle that does not move; they overlap
+/// it.
 struct Around_an_obstacle : testing::Test
 {
   Outlines outlines = outlines_of(std::vector<Chart>(3, test::rectangle_chart(1, 1)), Execution(1));
   Obstacles obstacles;
   std::vector<Packing_shape> shapes;
-  Shape_layout layout{20, std::vector<Vec2>(4, Vec2{1, 0}), {{60, 64}, {50, 80}, {80, 70}}};
+  Shape_layout layout{20, std::vector<Vec2>(4, Vec2{1, 0}), {{40, 64}, {64, 90}, {88, 70}}};
   const Relaxation_options options{side, side, 2, 1, 0.01, true, 1};
 
   Around_an_obstacle()

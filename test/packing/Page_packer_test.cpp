@@ -74,7 +74,7 @@ TEST(Page_packer, makes_a_packer_of_an_engine)
   EXPECT_GE(clearance.charts, 3);
   EXPECT_GE(clearance.border, 1.5);
 
-  page.density = 2 * one.density;
+  page.density = 4 * one.density;
   page.groups.assign(20, no_index);
   page.groups[4] = page.groups[7] = 1;
   page.locked.resize(20);
@@ -109,7 +109,7 @@ TEST(Page_packer, names_the_engine_that_broke_its_contract)
          l.margin = 0;
          l.positions[0] = l.positions[1];
        }},
-      {"keep its margin", [](Page_layout& l, const Page_task&) { l.margin += 20; }},
+      {"keep its margin", [](Page_layout& l, const Page_task&) { l.margin += 30; }},
   };
   const std::vector<Chart> charts(4, rectangle_chart(1, 2));
   Page_options page = page_of(128);

@@ -121,7 +121,8 @@ TEST(Pack_charts_of_mesh_errors, leaves_coordinates_alone_where_there_is_no_room
   const auto before = uv;
   Page_options options;
   options.width = options.height = 64;
-  options.locked = {Placement{64, 0, 0, 0}}; // the first chart covers the whole page
+  options.locked.resize(6);
+  options.locked[0] = Placement{64, 0, 0, 0}; // the first chart covers the whole page
   const Packing packing =
       pack_charts(mesh, boost::make_assoc_property_map(uv), parameters::page_options(options));
   EXPECT_EQ(packing.number_of_pages, 0u);

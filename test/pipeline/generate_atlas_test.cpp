@@ -485,16 +485,6 @@ TEST(GenerateAtlasOnSurface, NoSurfaceIsNoCrash)
   }
 }
 
-TEST(GenerateAtlasOnSurface, WrongParametersViolatePreconditions)
-{
-  const Surface surface = surface_of(cube());
-  std::vector<Point_2> uv;
-  const auto before = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
-  EXPECT_THROW((void)generate_atlas(surface, uv, parameters::gutter(-1)), CGAL::Precondition_exception);
-  EXPECT_THROW((void)generate_atlas(surface, uv, parameters::texture_size(0)), CGAL::Precondition_exception);
-  CGAL::set_error_behaviour(before);
-}
-
 /// Faces of up to eight corners among points of a small grid, some of them bent off it. Found by fuzzing.
 TEST(GenerateAtlas, AFaceThatRoundingFoldsIsDrawnOnAGrid)
 {

@@ -162,7 +162,8 @@ private:
     return std::any_of(outline.triangles.begin(), outline.triangles.end(), [&](const auto& t) {
       const double a = cross(t[1] - t[0], q - t[0]), b = cross(t[2] - t[1], q - t[1]),
                    c = cross(t[0] - t[2], q - t[2]);
-      return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+      const bool has_area = cross(t[1] - t[0], t[2] - t[0]) != 0; // a point would contain everything
+      return has_area && ((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0));
     });
   }
 
