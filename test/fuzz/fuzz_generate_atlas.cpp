@@ -3,6 +3,7 @@
 // upon faces are frequent. The certificate is the judge.
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/packing/Raster_packer.h>
 #include <Atlas/validation/certify.h>
 
 #include <cmath>
