@@ -39,6 +39,8 @@ function(atlas_add_library name)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ${ATLAS_UNITY_BUILD}
                                            UNITY_BUILD_BATCH_SIZE 8)
   target_compile_options(${name} PRIVATE ${ATLAS_WARNINGS})
+  # CGAL's kernel takes two thirds of the time of a source.
+  target_precompile_headers(${name} PRIVATE <Atlas/core/Kernel.h>)
   # Without optimisation the library is 17 times slower: in projects that choose no build type it is optimised
   # nevertheless.
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
