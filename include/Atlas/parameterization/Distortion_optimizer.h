@@ -20,6 +20,8 @@ struct Distortion_options
   double tolerance = default_tolerance;
   /// The optimisation ends when the mean energy over that of an isometry is at most this; 0 stands for never.
   double target = 0;
+  /// In [0, 1], for `Distortion_energy::conformal_stretch` only: 0 is conformal, 1 is least stretch.
+  double stretch_weight = 0.5;
 };
 
 /// \brief What an optimiser minimises: the mean over a chart, weighted by area in space, of an energy of the
@@ -27,7 +29,8 @@ struct Distortion_options
 enum class Distortion_energy {
   symmetric_dirichlet, ///< x^2 + y^2 + 1/x^2 + 1/y^2; an isometry has 4
   mips,                ///< x/y + y/x; every conformal map has 2
-  stretch              ///< (1/x^2 + 1/y^2) / 2 + x y; an isometry has 2
+  stretch,             ///< (1/x^2 + 1/y^2) / 2 + x y; an isometry has 2
+  conformal_stretch    ///< (1 - w) times `mips` plus w times `stretch`, w being `stretch_weight`
 };
 
 namespace internal {
@@ -42,7 +45,7 @@ Chart_status optimize_distortion(Distortion_energy energy, const Distortion_opti
 } // namespace internal
 
 /// \brief Lowers the distortion of a chart without flips: the common part of `Symmetric_dirichlet_optimizer`,
-/// `MIPS_optimizer` and `Stretch_optimizer`.
+/// `MIPS_optimizer`, `Stretch_optimizer` and `Conformal_stretch_optimizer`.
 ///
 /// Newton's method: Hessians made semidefinite triangle by triangle in closed form; one symbolic
 /// factorization for all iterations; steps that stop before the first triangle turns over, confirmed by exact
@@ -103,6 +106,13 @@ using MIPS_optimizer = Distortion_optimizer<Distortion_energy::mips>;
 /// Their method moves one vertex after another along random lines; this one finds the same minimum with
 /// derivatives. The least mean of the record's energy over all scales of a chart is its L2 stretch.
 using Stretch_optimizer = Distortion_optimizer<Distortion_energy::stretch>;
+
+/// \brief Trades conformality for stretch by `Distortion_options::stretch_weight`, in one criterion, as the
+/// LSCM paper proposes for the future.
+///
+/// With weight 0 it is `MIPS_optimizer`, with weight 1 `Stretch_optimizer`. As the weight rises, the minimum
+/// has no less MIPS energy and no more stretch.
+using Conformal_stretch_optimizer = Distortion_optimizer<Distortion_energy::conformal_stretch>;
 
 /// \brief Leaves every chart as the parameterizer made it. A model of `UVOptimizer`.
 struct Identity_optimizer

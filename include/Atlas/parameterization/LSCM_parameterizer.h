@@ -63,7 +63,7 @@ public:
   /// \param record  pins, energy and residual; as by default without a solution
   Chart_status parameterize(Chart& chart, const Execution& execution, LSCM_record& record) const
   {
-    internal::LSCM_solver_model<typename Traits::Solver> solver;
+    auto solver = internal::lscm_solver(traits_);
     return internal::lscm(chart, traits_.pins(chart), solver, execution, record);
   }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,9 @@ struct LSCM_solver_interface
 template <LSCMSolver Solver>
 struct LSCM_solver_model final : LSCM_solver_interface
 {
+  LSCM_solver_model() = default;
+  explicit LSCM_solver_model(Solver s) : solver(std::move(s)) {}
+
   bool factorize(const LSCM_system& system, const Execution& execution) override
   {
     return solver.factorize(system, execution);
@@ -113,6 +117,9 @@ struct LSCM_solver_model final : LSCM_solver_interface
 
 /// \brief What LSCM leaves open: the solver of its sparse system, and the pins.
 ///
+/// Traits whose solvers have parameters say `solver()` too, which makes one for a chart; else solvers are
+/// default constructed.
+///
 /// `pins()` returns the vertices whose images are given: at least two, at two different places at least; or
 /// none, which stands for two border vertices far apart, and for a result that is scaled to the chart's own
 /// area.
@@ -125,6 +132,16 @@ concept LSCMTraits = LSCMSolver<typename T::Solver> && requires(const T& traits,
 };
 
 namespace internal {
+
+/// The solver of the traits for a chart.
+template <LSCMTraits Traits>
+LSCM_solver_model<typename Traits::Solver> lscm_solver(const Traits& traits)
+{
+  if constexpr (requires { traits.solver(); })
+    return LSCM_solver_model<typename Traits::Solver>(traits.solver());
+  else
+    return {};
+}
 
 /// Throws `Invalid_argument` unless the pins have finite images at two places at least, each vertex once.
 void check_pins(std::span<const LSCM_pin> pins);
@@ -184,6 +201,95 @@ private:
   std::unique_ptr<internal::LSCM_solver_interface> chosen_;
 };
 
+/// \brief How an iterative solver fared with its last right-hand side.
+struct LSCM_iteration_record
+{
+  std::size_t iterations = 0;
+  double residual = 0; ///< |b - H x| / |b|, computed anew from the solution
+};
+
+namespace internal {
+
+/// A solver that iterates.
+struct LSCM_iteration : LSCM_solver_interface
+{
+  LSCM_iteration_record record;
+};
+
+} // namespace internal
+
+/// \brief Conjugate gradients on the Hermitian system, with a complete Cholesky factor that is kept in single
+/// precision as the preconditioner: half the memory of `Direct_LSCM_solver` for its factor, a handful of
+/// iterations.
+///
+/// The elimination itself is in double precision. Rounding what it leaves moves the factored matrix by one
+/// part in 10^7, with random signs, and that hardly touches the smooth maps in which LSCM's energy is small:
+/// incomplete factors and smoothers fail on just these. Stops when the residual is 1e-8 of the right-hand
+/// side, in the norm of the components and in that of the preconditioner.
+class Preconditioned_CG_LSCM_solver
+{
+public:
+  bool factorize(const LSCM_system& system, const Execution& execution);
+  bool solve(std::span<std::complex<double>> b);
+
+  /// Of the last solution.
+  LSCM_iteration_record record() const { return chosen_ ? chosen_->record : LSCM_iteration_record(); }
+
+private:
+  std::unique_ptr<internal::LSCM_iteration> chosen_;
+};
+
+/// \brief Conjugate gradients preconditioned by two grids: smoothing on the chart; the exact solution in a
+/// strip along the border; and the similarities of patches of some 16 vertices, each flattened by its own
+/// LSCM, as coarse maps, whose system is factorized.
+///
+/// For study. Multigrid for Laplace's equation does not converge here: LSCM's energy is small not only for
+/// smooth maps but for all that are nearly holomorphic, down to waves along the border as short as its edges,
+/// and maps that are small anywhere but in one place are never holomorphic. Strip and similarities are the
+/// answer to that, but the number of iterations still grows with the chart: 50 for 30,000 vertices, 90 to 140
+/// for 100,000, which takes ten times as long as a factorization, in half of its memory. Stops when the
+/// residual is 1e-8 of the right-hand side, in the norm of the components and in that of the preconditioner.
+class Multigrid_LSCM_solver
+{
+public:
+  bool factorize(const LSCM_system& system, const Execution& execution);
+  bool solve(std::span<std::complex<double>> b);
+
+  /// Of the last solution.
+  LSCM_iteration_record record() const { return chosen_ ? chosen_->record : LSCM_iteration_record(); }
+
+private:
+  std::unique_ptr<internal::LSCM_iteration> chosen_;
+};
+
+/// \brief The factorization of `Direct_LSCM_solver` for large charts with the factor in a file, where it is
+/// more than may be in memory.
+///
+/// The limit is for all that LSCM needs beyond the chart itself: the geometry, the matrix, its order, the
+/// fronts of the elimination, and as much of the factor as then fits; the rest of the factor goes to the
+/// file, which each solution reads once forward and once backward. The chart itself stays in memory. What
+/// does not go to the file takes about 600 bytes for each vertex of a disc; with a lower limit the solver
+/// fails. For charts of 4000 vertices and more the solution is that of `Direct_LSCM_solver`, bit for bit.
+class Out_of_core_LSCM_solver
+{
+public:
+  static constexpr std::size_t default_memory_limit = std::size_t(1) << 30;
+
+  /// \param memory_limit  in bytes
+  /// \param directory     of the temporary file; empty for the system's choice
+  explicit Out_of_core_LSCM_solver(std::size_t memory_limit = default_memory_limit,
+                                   std::string directory = {});
+
+  /// `false` also if the limit is too low for the chart, or the file cannot be written.
+  bool factorize(const LSCM_system& system, const Execution& execution);
+  bool solve(std::span<std::complex<double>> b);
+
+private:
+  std::size_t memory_limit_;
+  std::string directory_;
+  std::unique_ptr<internal::LSCM_solver_interface> chosen_;
+};
+
 /// \brief The default: direct solvers that need nothing but Eigen.
 using Eigen_LSCM_traits = Basic_LSCM_traits<Direct_LSCM_solver>;
 
@@ -192,6 +298,31 @@ using Eigen_LSCM_traits = Basic_LSCM_traits<Direct_LSCM_solver>;
 /// For study: the condition of LSCM grows with the square of the number of vertices, so that direct solvers
 /// win at every size.
 using Conjugate_gradient_LSCM_traits = Basic_LSCM_traits<Conjugate_gradient_LSCM_solver>;
+
+/// \brief Preconditioned conjugate gradients, which the LSCM paper proposes for the future: for large charts
+/// where memory is short.
+using Preconditioned_CG_LSCM_traits = Basic_LSCM_traits<Preconditioned_CG_LSCM_solver>;
+
+/// \brief LSCM by multigrid, which the LSCM paper proposes for the future: for study.
+using Multigrid_LSCM_traits = Basic_LSCM_traits<Multigrid_LSCM_solver>;
+
+/// \brief LSCM within a memory limit, out of core where need be, as the LSCM paper proposes for huge models.
+class Out_of_core_LSCM_traits : public Basic_LSCM_traits<Out_of_core_LSCM_solver>
+{
+public:
+  /// \param memory_limit  in bytes: see `Out_of_core_LSCM_solver`
+  /// \param directory     of the temporary file; empty for the system's choice
+  explicit Out_of_core_LSCM_traits(std::size_t memory_limit = Out_of_core_LSCM_solver::default_memory_limit,
+                                   std::string directory = {}, std::vector<LSCM_pin> pins = {})
+      : Basic_LSCM_traits(std::move(pins)), memory_limit_(memory_limit), directory_(std::move(directory))
+  {}
+
+  Out_of_core_LSCM_solver solver() const { return Out_of_core_LSCM_solver(memory_limit_, directory_); }
+
+private:
+  std::size_t memory_limit_;
+  std::string directory_;
+};
 
 } // namespace Atlas
 

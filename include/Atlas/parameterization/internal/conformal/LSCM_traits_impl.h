@@ -8,11 +8,16 @@
 #include <Atlas/parameterization/internal/conformal/conjugate_gradients.h>
 #include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>
 #include <Atlas/parameterization/internal/conformal/hermitian_multifrontal.h>
+#include <Atlas/parameterization/internal/conformal/iterative_solvers.h>
+#include <Atlas/parameterization/internal/conformal/multigrid.h>
+#include <Atlas/parameterization/internal/conformal/out_of_core_cholesky.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -68,6 +73,45 @@ ATLAS_INLINE bool Conjugate_gradient_LSCM_solver::factorize(const LSCM_system& s
 }
 
 ATLAS_INLINE bool Conjugate_gradient_LSCM_solver::solve(std::span<std::complex<double>> b)
+{
+  return chosen_ && chosen_->solve(b);
+}
+
+ATLAS_INLINE bool Preconditioned_CG_LSCM_solver::factorize(const LSCM_system& system,
+                                                           const Execution& execution)
+{
+  chosen_ = std::make_unique<internal::Preconditioned_iteration<internal::Rounded_cholesky>>();
+  return chosen_->factorize(system, execution);
+}
+
+ATLAS_INLINE bool Preconditioned_CG_LSCM_solver::solve(std::span<std::complex<double>> b)
+{
+  return chosen_ && chosen_->solve(b);
+}
+
+ATLAS_INLINE bool Multigrid_LSCM_solver::factorize(const LSCM_system& system, const Execution& execution)
+{
+  chosen_ = std::make_unique<internal::Preconditioned_iteration<internal::Two_grid>>();
+  return chosen_->factorize(system, execution);
+}
+
+ATLAS_INLINE bool Multigrid_LSCM_solver::solve(std::span<std::complex<double>> b)
+{
+  return chosen_ && chosen_->solve(b);
+}
+
+ATLAS_INLINE Out_of_core_LSCM_solver::Out_of_core_LSCM_solver(std::size_t memory_limit, std::string directory)
+    : memory_limit_(memory_limit), directory_(std::move(directory))
+{}
+
+ATLAS_INLINE bool Out_of_core_LSCM_solver::factorize(const LSCM_system& system, const Execution& execution)
+{
+  auto solver = internal::out_of_core_cholesky(system, memory_limit_, directory_);
+  chosen_ = std::make_unique<decltype(solver)>(std::move(solver));
+  return chosen_->factorize(system, execution);
+}
+
+ATLAS_INLINE bool Out_of_core_LSCM_solver::solve(std::span<std::complex<double>> b)
 {
   return chosen_ && chosen_->solve(b);
 }

@@ -11,14 +11,19 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
 
 /// \brief The mixed real and complex factorization of LSCM's matrix for large charts.
-class Hermitian_multifrontal
+/// \tparam Panels  where the factor is kept: see factor_panels.h
+template <typename Panels>
+class Basic_hermitian_multifrontal
 {
 public:
+  explicit Basic_hermitian_multifrontal(Panels panels = {}) : panels_(std::move(panels)) {}
+
   bool factorize(const LSCM_system& system, const Execution& execution)
   {
     std::vector<int> source; // per neighbour, the entry of the lower triangle
@@ -26,7 +31,7 @@ public:
     symbolic_ = std::make_unique<Supernodal_symbolic>(graph, approximate_minimum_degree(graph));
     if (!execution.proceed())
       return false;
-    cholesky_ = std::make_unique<Multifrontal_cholesky<1>>(*symbolic_);
+    cholesky_ = std::make_unique<Multifrontal_cholesky<1, Panels>>(*symbolic_);
     const auto entry = [&](std::size_t k) {
       const std::size_t place = symbolic_->lower_source(k);
       const std::complex<double>& z = system.value[static_cast<std::size_t>(source[place])];
@@ -35,12 +40,19 @@ public:
                  ? z
                  : std::conj(z);
     };
+    const auto is_complex = [&](std::size_t k) { return entry(k).imag() != 0; };
+    if constexpr (requires { panels_.plan(std::size_t{}); }) {
+      const std::size_t indices = graph.first.size() * sizeof(std::size_t) +
+                                  graph.neighbor.size() * (sizeof(Index) + sizeof(int)) + symbolic_->bytes();
+      if (!panels_.plan(indices + cholesky_->peak_of_fronts(is_complex)))
+        return false;
+    }
+    cholesky_->keep_in(std::move(panels_));
     return cholesky_->factorize(
         [&](Index c, auto add) {
           add(0, 0, system.value[static_cast<std::size_t>(system.first[symbolic_->vertex(c)])].real());
         },
-        [&](std::size_t k, auto add) { add(0, 0, entry(k)); },
-        [&](std::size_t k) { return entry(k).imag() != 0; });
+        [&](std::size_t k, auto add) { add(0, 0, entry(k)); }, is_complex);
   }
 
   bool solve(std::span<std::complex<double>> b)
@@ -54,7 +66,7 @@ public:
     return is_solved;
   }
 
-  /// Numbers of type double in the factor.
+  /// Numbers in the factor, a complex one counting twice.
   std::size_t factor_size() const { return cholesky_->factor_size(); }
 
 private:
@@ -89,8 +101,11 @@ private:
   }
 
   std::unique_ptr<Supernodal_symbolic> symbolic_;
-  std::unique_ptr<Multifrontal_cholesky<1>> cholesky_;
+  Panels panels_;
+  std::unique_ptr<Multifrontal_cholesky<1, Panels>> cholesky_;
 };
+
+using Hermitian_multifrontal = Basic_hermitian_multifrontal<Panels_in_memory>;
 
 } // namespace Atlas::internal
 

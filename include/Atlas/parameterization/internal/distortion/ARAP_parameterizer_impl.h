@@ -70,7 +70,7 @@ public:
     return energy;
   }
 
-  bool global_step(std::vector<Complex>& u) const
+  bool global_step(std::vector<Complex>& u)
   {
     std::vector<Complex> x(u.size());
     for (Index c = 0; c < x.size(); ++c)

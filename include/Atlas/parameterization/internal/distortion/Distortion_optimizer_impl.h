@@ -16,22 +16,23 @@ ATLAS_INLINE void check_options(const Distortion_options& options)
 {
   require(options.tolerance >= 0, "tolerance", "must be at least 0");
   require(options.target >= 0, "target", "must be at least 0");
+  require(options.stretch_weight >= 0 && options.stretch_weight <= 1, "stretch_weight", "must be in [0, 1]");
 }
 
 /// \tparam Energy  one of those of distortion_energy.h
 template <typename Energy>
-Chart_status optimize_distortion(const Distortion_options& options, Chart& chart, const Execution& execution,
-                                 Distortion_record& record)
+Chart_status optimize_distortion(const Energy& energy, const Distortion_options& options, Chart& chart,
+                                 const Execution& execution, Distortion_record& record)
 {
   const Chart_geometry geometry(chart);
-  Distortion_minimizer<Energy> minimizer(geometry, coordinates_of(geometry));
+  Distortion_minimizer<Energy> minimizer(geometry, coordinates_of(geometry), energy);
   record.before = record.after = minimizer.mean_energy() / Energy::isometry;
   if (minimizer.has_flip() || chart.triangles.empty())
     return Chart_status::flipped;
   minimizer.scale(minimizer.best_scale());
   const double target = options.target * Energy::isometry;
   if (minimizer.mean_energy() > target) {
-    Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates());
+    Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates(), energy);
     if (start(options.max_iterations, options.tolerance, execution) && minimizer.adopt(start.coordinates()) &&
         start.is_guarded())
       minimizer.guard();
@@ -54,11 +55,13 @@ ATLAS_INLINE Chart_status optimize_distortion(Distortion_energy energy, const Di
   record = {};
   switch (energy) {
   case Distortion_energy::symmetric_dirichlet:
-    return optimize_distortion<Symmetric_dirichlet>(options, chart, execution, record);
+    return optimize_distortion(Symmetric_dirichlet(), options, chart, execution, record);
   case Distortion_energy::mips:
-    return optimize_distortion<Mips>(options, chart, execution, record);
+    return optimize_distortion(Mips(), options, chart, execution, record);
   case Distortion_energy::stretch:
-    return optimize_distortion<Stretch>(options, chart, execution, record);
+    return optimize_distortion(Stretch(), options, chart, execution, record);
+  case Distortion_energy::conformal_stretch:
+    return optimize_distortion(Conformal_stretch{options.stretch_weight}, options, chart, execution, record);
   }
   throw Invalid_argument("energy", "must be one of the enumeration");
 }

@@ -26,8 +26,8 @@ class Multilevel_start
 public:
   /// \param borders  the border loops of the chart
   Multilevel_start(const Chart_geometry& geometry, const std::vector<std::vector<Index>>& borders,
-                   const std::vector<Complex>& u)
-      : geometry_(geometry), borders_(borders), u_(u), hierarchy_(geometry, u_)
+                   const std::vector<Complex>& u, const Energy& energy)
+      : energy_(energy), geometry_(geometry), borders_(borders), u_(u), hierarchy_(geometry, u_)
   {}
 
   /// \return `false` if there is no coarser mesh, or no way back from it
@@ -74,7 +74,7 @@ private:
     std::vector<Complex> part;
     for (const Index v : vertices)
       part.push_back(unit * u[v]);
-    Distortion_minimizer<Energy> minimizer(geometry, std::move(part));
+    Distortion_minimizer<Energy> minimizer(geometry, std::move(part), energy_);
     if (minimizer.has_flip())
       return false;
     if (is_guarded_)
@@ -95,6 +95,7 @@ private:
     return hierarchy_.refine(level, u, true) && is_simple(level, u);
   }
 
+  Energy energy_;
   const Chart_geometry& geometry_;
   const std::vector<std::vector<Index>>& borders_;
   std::vector<Complex> u_;

@@ -115,6 +115,33 @@ struct Stretch
   }
 };
 
+/// \brief (1 - w) times MIPS plus w times the energy of stretch, of which either has 2 for an isometry.
+struct Conformal_stretch
+{
+  static constexpr double isometry = 2;
+
+  double weight = 0.5; ///< w, in [0, 1]
+
+  double value(double r2, double s2) const
+  {
+    return r2 > s2 ? (1 - weight) * Mips::value(r2, s2) + weight * Stretch::value(r2, s2)
+                   : std::numeric_limits<double>::infinity();
+  }
+
+  /// Sums of positive semidefinite parts are so too.
+  Triangle_energy derivatives(double x, double y) const
+  {
+    const Triangle_energy a = Mips::derivatives(x, y), b = Stretch::derivatives(x, y);
+    const auto blend = [&](double Triangle_energy::*part) {
+      return (1 - weight) * a.*part + weight * b.*part;
+    };
+    return {blend(&Triangle_energy::value),        blend(&Triangle_energy::dr),
+            blend(&Triangle_energy::ds),           blend(&Triangle_energy::krr),
+            blend(&Triangle_energy::krs),          blend(&Triangle_energy::kss),
+            blend(&Triangle_energy::tangential_f), blend(&Triangle_energy::tangential_g)};
+  }
+};
+
 /// \brief A triangle's rest shape as the map from vertex positions to (f, g): f = sum conj(beta_j) u_j,
 /// g = sum beta_j u_j, with beta_j = i W_j / (2 d) in the LSCM paper's terms.
 struct Rest_triangle
@@ -146,13 +173,14 @@ inline std::array<Complex, 2> derivative(const Rest_triangle& rest, const Comple
 
 /// The energy of a map, each triangle weighted by its area in space; infinite if a triangle is flipped.
 template <typename Energy>
-double total_energy(const Chart& chart, const std::vector<Rest_triangle>& rest, std::span<const Complex> u)
+double total_energy(const Energy& energy, const Chart& chart, const std::vector<Rest_triangle>& rest,
+                    std::span<const Complex> u)
 {
   double sum = 0;
   for (std::size_t t = 0; t < rest.size(); ++t) {
     const auto& corner = chart.triangles[t];
     const auto [f, g] = derivative(rest[t], u[corner[0]], u[corner[1]], u[corner[2]]);
-    sum += rest[t].area * Energy::value(std::norm(f), std::norm(g));
+    sum += rest[t].area * energy.value(std::norm(f), std::norm(g));
   }
   return sum;
 }

@@ -28,8 +28,8 @@ template <typename Energy>
 class Distortion_minimizer
 {
 public:
-  Distortion_minimizer(const Chart_geometry& geometry, std::vector<Complex> u)
-      : geometry_(geometry), chart_(geometry.chart()),
+  Distortion_minimizer(const Chart_geometry& geometry, std::vector<Complex> u, const Energy& energy)
+      : function_(energy), geometry_(geometry), chart_(geometry.chart()),
         rest_(rest_triangles(geometry, least_optimized_height)), checker_(chart_), system_(chart_),
         barrier_(geometry, checker_.borders()), u_(std::move(u)), gradient_(u_.size())
   {
@@ -37,7 +37,7 @@ public:
       area_ += rest.area;
     has_flip_ = checker_.has_flip(u_);
     is_simple_ = checker_.is_border_simple(u_);
-    energy_ = energy(u_);
+    energy_ = total(u_);
   }
 
   bool has_flip() const { return has_flip_; }
@@ -47,7 +47,7 @@ public:
   const std::vector<Complex>& coordinates() const { return u_; }
 
   /// The energy without the barrier, per unit of area.
-  double mean_energy() const { return total_energy<Energy>(chart_, rest_, u_) / area_; }
+  double mean_energy() const { return total_energy(function_, chart_, rest_, u_) / area_; }
 
   /// One step; `false` if there is none that lowers the energy. `decrease` is relative to the energy.
   bool step(double& decrease)
@@ -58,7 +58,7 @@ public:
     if (!is_guarded_ && is_simple_ && !is_guarded_by_failure_)
       return false;
     is_guarded_ = true;
-    energy_ = energy(u_);
+    energy_ = total(u_);
     return try_step(decrease);
   }
 
@@ -78,13 +78,13 @@ public:
   void guard()
   {
     is_guarded_ = is_simple_;
-    energy_ = energy(u_);
+    energy_ = total(u_);
   }
 
   /// Goes on from another map if that is as valid and has less energy.
   bool adopt(std::vector<Complex> u)
   {
-    if (!(total_energy<Energy>(chart_, rest_, u) < total_energy<Energy>(chart_, rest_, u_)) ||
+    if (!(total_energy(function_, chart_, rest_, u) < total_energy(function_, chart_, rest_, u_)) ||
         checker_.has_flip(u))
       return false;
     const bool is_simple = checker_.is_border_simple(u);
@@ -92,7 +92,7 @@ public:
       return refit();
     u_ = std::move(u);
     is_simple_ = is_simple;
-    energy_ = energy(u_);
+    energy_ = total(u_);
     return true;
   }
 
@@ -119,7 +119,7 @@ public:
       z *= factor;
     if (!checker_.has_flip(scaled) && (!is_simple_ || checker_.is_border_simple(scaled))) {
       u_ = std::move(scaled);
-      energy_ = energy(u_);
+      energy_ = total(u_);
     }
   }
 
@@ -129,9 +129,9 @@ private:
   static constexpr int halvings = 40;
 
   /// The border tree must have been fitted to u, which the test for a simple border does.
-  double energy(std::span<const Complex> u) const
+  double total(std::span<const Complex> u) const
   {
-    return total_energy<Energy>(chart_, rest_, u) + (is_guarded_ ? barrier_.value(checker_.tree(), u) : 0);
+    return total_energy(function_, chart_, rest_, u) + (is_guarded_ ? barrier_.value(checker_.tree(), u) : 0);
   }
 
   bool try_step(double& decrease)
@@ -150,7 +150,7 @@ private:
     for (int i = 0; i < halvings; ++i, length /= 2) {
       for (std::size_t v = 0; v < u_.size(); ++v)
         next[v] = u_[v] + length * direction[v];
-      const double distortion = total_energy<Energy>(chart_, rest_, next);
+      const double distortion = total_energy(function_, chart_, rest_, next);
       if (!(distortion <= energy_ + sufficient * length * slope) || checker_.has_flip(next))
         continue;
       const bool is_simple = checker_.is_border_simple(next);
@@ -160,13 +160,13 @@ private:
           return refit();
         continue;
       }
-      const double total = is_guarded_ ? distortion + barrier_.value(checker_.tree(), next) : distortion;
-      if (!(total <= energy_ + sufficient * length * slope))
+      const double sum = is_guarded_ ? distortion + barrier_.value(checker_.tree(), next) : distortion;
+      if (!(sum <= energy_ + sufficient * length * slope))
         continue;
-      decrease = (energy_ - total) / energy_;
+      decrease = (energy_ - sum) / energy_;
       u_ = std::move(next);
       is_simple_ = is_simple;
-      energy_ = total;
+      energy_ = sum;
       return true;
     }
     return refit();
@@ -208,7 +208,7 @@ private:
     const auto [f, g] = derivative(rest, u_[corner[0]], u_[corner[1]], u_[corner[2]]);
     const double r = std::abs(f), s = std::abs(g);
     const Complex ef = f / r, eg = s > 0 ? g / s : Complex(1);
-    const Triangle_energy d = Energy::derivatives(r + s, r - s);
+    const Triangle_energy d = function_.derivatives(r + s, r - s);
 
     // Cholesky factor of the radial 2x2 matrix: l00 (y_r + l10 y_s)^2 + l11 y_s^2.
     const double l10 = d.krr > 0 ? d.krs / d.krr : 0, l11 = std::max(0., d.kss - d.krs * l10);
@@ -266,6 +266,7 @@ private:
     return longest;
   }
 
+  Energy function_;
   const Chart_geometry& geometry_;
   const Chart& chart_;
   std::vector<Rest_triangle> rest_;

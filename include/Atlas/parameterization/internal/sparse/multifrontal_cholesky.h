@@ -3,6 +3,7 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_SPARSE_MULTIFRONTAL_CHOLESKY_H
 
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
+#include <Atlas/parameterization/internal/sparse/factor_panels.h>
 #include <Atlas/parameterization/internal/sparse/hermitian_rank_k_update.h>
 #include <Atlas/parameterization/internal/sparse/supernodal_symbolic.h>
 
@@ -26,13 +27,23 @@ namespace Atlas::internal {
 /// Every vertex is a block of B unknowns. With B = 1 the matrix may be Hermitian: a front stays real until an
 /// entry with an imaginary part has been assembled in its subtree, and is complex from there on. For LSCM,
 /// where only border edges have imaginary parts, that costs half of an all-complex factorization.
-template <int B>
+/// \tparam Panels  where the factor is kept: see factor_panels.h
+template <int B, typename Panels = Panels_in_memory>
 class Multifrontal_cholesky
 {
 public:
   explicit Multifrontal_cholesky(const Supernodal_symbolic& symbolic)
-      : symbolic_(symbolic), panels_(symbolic.supernodes().size()), local_(symbolic.size())
-  {}
+      : symbolic_(symbolic), is_complex_(symbolic.supernodes().size()), local_(symbolic.size())
+  {
+    panels_.resize(symbolic.supernodes().size());
+  }
+
+  /// Says where the factor will be, before `factorize`.
+  void keep_in(Panels panels)
+  {
+    panels_ = std::move(panels);
+    panels_.resize(symbolic_.supernodes().size());
+  }
 
   /// \param diagonal  diagonal(column, add): calls add(i, j, value) for the entries i >= j of the block
   /// \param lower     lower(k, add): the same for all i, j of the k-th entry below the diagonal
@@ -41,19 +52,12 @@ public:
   bool factorize(Diagonal diagonal, Lower lower, IsComplex is_complex)
   {
     const auto& nodes = symbolic_.supernodes();
+    find_complex(is_complex);
     std::vector<std::vector<Index>> children(nodes.size());
-    updates_ = std::vector<Panel>(nodes.size());
+    updates_ = std::vector<std::unique_ptr<double[]>>(nodes.size());
     for (Index s = 0; s < nodes.size(); ++s) {
-      bool has_complex = false;
-      if constexpr (B == 1) {
-        for (const Index child : children[s])
-          has_complex = has_complex || updates_[child].is_complex;
-        for (std::size_t k = symbolic_.lower_begin(nodes[s].begin);
-             !has_complex && k < symbolic_.lower_begin(nodes[s].end); ++k)
-          has_complex = is_complex(k);
-      }
-      const bool is_done = has_complex ? factorize<Complex>(s, children[s], diagonal, lower)
-                                       : factorize<double>(s, children[s], diagonal, lower);
+      const bool is_done = is_complex_[s] ? factorize<Complex>(s, children[s], diagonal, lower)
+                                          : factorize<double>(s, children[s], diagonal, lower);
       if (!is_done)
         return false;
       std::vector<Index>().swap(children[s]);
@@ -63,9 +67,29 @@ public:
     return true;
   }
 
+  /// The most bytes that a factorization has in fronts at a time.
+  template <typename IsComplex>
+  std::size_t peak_of_fronts(IsComplex is_complex)
+  {
+    find_complex(is_complex);
+    const auto& nodes = symbolic_.supernodes();
+    std::vector<std::size_t> children(nodes.size(), 0); // numbers in their updates
+    std::size_t stack = 0, peak = 0;
+    for (std::size_t s = 0; s < nodes.size(); ++s) {
+      const std::size_t numbers = is_complex_[s] ? 2 : 1, width = B * nodes[s].width(),
+                        height = B * nodes[s].height();
+      stack += numbers * height * height;
+      peak = std::max(peak, stack + (numbers * width + longest_pack) * (width + height));
+      stack -= children[s];
+      if (nodes[s].parent != no_index)
+        children[nodes[s].parent] += numbers * height * height;
+    }
+    return peak * sizeof(double);
+  }
+
   /// Solves in place. The unknowns of column c are at c B, ..., c B + B - 1.
   template <typename Scalar>
-  bool solve(std::vector<Scalar>& x) const
+  bool solve(std::vector<Scalar>& x)
   {
     const auto& nodes = symbolic_.supernodes();
     Vector<Scalar> below;
@@ -76,14 +100,8 @@ public:
     return Eigen::Map<const Vector<Scalar>>(x.data(), static_cast<Eigen::Index>(x.size())).allFinite();
   }
 
-  /// Numbers of type double in the factor.
-  std::size_t factor_size() const
-  {
-    std::size_t sum = 0;
-    for (const Panel& panel : panels_)
-      sum += panel.size;
-    return sum;
-  }
+  /// Numbers in the factor, a complex one counting twice.
+  std::size_t factor_size() const { return panels_.size(); }
 
 private:
   template <typename Scalar>
@@ -91,31 +109,10 @@ private:
   template <typename Scalar>
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// Doubles, or pairs of them.
-  struct Panel
-  {
-    std::unique_ptr<double[]> data;
-    std::size_t size = 0;
-    bool is_complex = false;
-
-    void allocate(std::size_t doubles)
-    {
-      if (size == doubles)
-        std::fill_n(data.get(), size, 0.);
-      else
-        data = std::make_unique<double[]>(doubles);
-      size = doubles;
-    }
-    template <typename Scalar>
-    Scalar* as() const
-    {
-      return reinterpret_cast<Scalar*>(data.get());
-    }
-  };
-
   using Supernode = Supernodal_symbolic::Supernode;
 
-  static constexpr std::size_t block = 48; ///< columns that are factorized at once
+  static constexpr std::size_t block = 48;         ///< columns that are factorized at once
+  static constexpr std::size_t longest_pack = 256; ///< numbers of a row that the dense kernels copy at most
 
   /// Column-major front: the panel of the node's own columns over all its rows, and the square update below.
   template <typename Scalar>
@@ -131,18 +128,33 @@ private:
     }
   };
 
+  /// A front is complex if it has a complex entry, or a child that is complex.
+  template <typename IsComplex>
+  void find_complex(IsComplex& is_complex)
+  {
+    if constexpr (B == 1) {
+      const auto& nodes = symbolic_.supernodes();
+      std::fill(is_complex_.begin(), is_complex_.end(), char(false));
+      for (std::size_t s = 0; s < nodes.size(); ++s) {
+        for (std::size_t k = symbolic_.lower_begin(nodes[s].begin);
+             !is_complex_[s] && k < symbolic_.lower_begin(nodes[s].end); ++k)
+          is_complex_[s] = is_complex(k);
+        if (is_complex_[s] && nodes[s].parent != no_index)
+          is_complex_[nodes[s].parent] = true;
+      }
+    }
+  }
+
   template <typename Scalar, typename Diagonal, typename Lower>
   bool factorize(Index s, const std::vector<Index>& children, Diagonal& diagonal, Lower& lower)
   {
     const Supernode& node = symbolic_.supernodes()[s];
     constexpr std::size_t doubles = sizeof(Scalar) / sizeof(double);
     const std::size_t width = B * node.width(), height = B * node.height();
-    panels_[s].is_complex = updates_[s].is_complex = !std::is_same_v<Scalar, double>;
-    panels_[s].allocate(doubles * width * (width + height));
     if (height > 0)
-      updates_[s].allocate(doubles * height * height);
-    const Front<Scalar> front{panels_[s].template as<Scalar>(), updates_[s].template as<Scalar>(), width,
-                              height};
+      updates_[s] = std::make_unique<double[]>(doubles * height * height);
+    const Front<Scalar> front{reinterpret_cast<Scalar*>(panels_.start(s, doubles * width * (width + height))),
+                              reinterpret_cast<Scalar*>(updates_[s].get()), width, height};
     for (Index c = node.begin; c < node.end; ++c)
       local_[c] = c - node.begin;
     for (std::size_t k = node.first_row; k < node.last_row; ++k)
@@ -150,13 +162,13 @@ private:
 
     assemble(node, front, diagonal, lower);
     for (const Index child : children) {
-      if (updates_[child].is_complex)
+      if (is_complex_[child])
         extend<Scalar, Complex>(child, front);
       else
         extend<Scalar, double>(child, front);
-      updates_[child] = {};
+      updates_[child].reset();
     }
-    return eliminate(front);
+    return eliminate(front) && panels_.finish(s);
   }
 
   template <typename Scalar, typename Value>
@@ -186,7 +198,7 @@ private:
   {
     const Supernode& node = symbolic_.supernodes()[child];
     const std::size_t height = B * node.height();
-    const ChildScalar* update = updates_[child].template as<ChildScalar>();
+    const auto* update = reinterpret_cast<const ChildScalar*>(updates_[child].get());
     rows_.resize(height);
     for (std::size_t k = 0; k < node.height(); ++k)
       for (int i = 0; i < B; ++i)
@@ -234,16 +246,17 @@ private:
   }
 
   template <typename Visit>
-  void visit(std::size_t s, Visit&& visit) const
+  void visit(std::size_t s, Visit&& visit)
   {
     const Supernode& node = symbolic_.supernodes()[s];
     const auto width = static_cast<Eigen::Index>(B * node.width()),
                rows = static_cast<Eigen::Index>(B * (node.width() + node.height()));
-    if (panels_[s].is_complex) {
+    const double* panel = panels_.read(s);
+    if (is_complex_[s]) {
       if constexpr (B == 1)
-        visit(Eigen::Map<const Matrix<Complex>>(panels_[s].template as<Complex>(), rows, width));
+        visit(Eigen::Map<const Matrix<Complex>>(reinterpret_cast<const Complex*>(panel), rows, width));
     } else
-      visit(Eigen::Map<const Matrix<double>>(panels_[s].template as<double>(), rows, width));
+      visit(Eigen::Map<const Matrix<double>>(panel, rows, width));
   }
 
   template <typename Panel_map, typename Scalar>
@@ -286,7 +299,9 @@ private:
   static Complex conjugate(const Complex& z) { return std::conj(z); }
 
   const Supernodal_symbolic& symbolic_;
-  std::vector<Panel> panels_, updates_;
+  Panels panels_;
+  std::vector<std::unique_ptr<double[]>> updates_;
+  std::vector<char> is_complex_; ///< of each supernode
   std::vector<Index> local_;
   std::vector<std::size_t> rows_;
   std::vector<double> packed_;

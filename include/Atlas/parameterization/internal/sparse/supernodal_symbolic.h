@@ -63,6 +63,13 @@ public:
   /// The place of entry (c, r) = conj of (r, c) in the graph.
   std::size_t lower_source(std::size_t k) const { return lower_source_[k]; }
   std::size_t number_of_entries() const { return lower_row_.size(); }
+  /// What this takes, and what the numeric part has for each supernode besides its numbers.
+  std::size_t bytes() const
+  {
+    return 4 * n_ * sizeof(Index) + lower_first_.capacity() * sizeof(std::size_t) +
+           lower_row_.capacity() * (sizeof(std::size_t) + sizeof(Index)) + rows_.capacity() * sizeof(Index) +
+           supernodes_.capacity() * (sizeof(Supernode) + 64);
+  }
 
 private:
   void number_places()
