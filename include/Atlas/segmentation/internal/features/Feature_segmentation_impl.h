@@ -12,6 +12,7 @@
 #include <Atlas/segmentation/internal/surface/surface_connectivity.h>
 #include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -63,7 +64,44 @@ inline double area_of_triangles(const Surface& surface)
   return area;
 }
 
+/// Per triangle, the paper's maxdist.
+inline std::vector<double> largest_distances(const Submesh& submesh, const std::vector<double>& distance,
+                                             const Growth_options& options)
+{
+  if (!options.is_depth_global || distance.empty())
+    return largest_of_component(submesh, distance);
+  return std::vector<double>(distance.size(), *std::max_element(distance.begin(), distance.end()));
+}
+
 } // namespace internal
+
+ATLAS_INLINE Feature_options Feature_options::paper()
+{
+  Feature_options options;
+  options.min_feature_length_of_small_meshes = std::numeric_limits<double>::infinity();
+  options.min_contrast = 0;
+  options.plateau_tolerance = 0;
+  return options;
+}
+
+ATLAS_INLINE Growth_options Growth_options::paper()
+{
+  Growth_options options;
+  options.noise_depth = 0;
+  options.is_depth_global = true;
+  return options;
+}
+
+ATLAS_INLINE Feature_segmentation Feature_segmentation::paper()
+{
+  Feature_segmentation segmentation;
+  segmentation.features = Feature_options::paper();
+  segmentation.growth = Growth_options::paper();
+  segmentation.sock_rule = Sock_rule::whole_chart;
+  segmentation.min_chart_triangles = 0;
+  segmentation.min_chart_area = 0;
+  return segmentation;
+}
 
 ATLAS_INLINE std::vector<std::uint8_t> detect_features(const Surface& surface, const Feature_options& options)
 {
@@ -85,8 +123,8 @@ ATLAS_INLINE Segmentation expand_charts(const Surface& surface, const std::vecto
   internal::require_size(distance.size(), surface.number_of_triangles(), "distance", "triangles");
   internal::require_valid(options);
   const internal::Submesh submesh = internal::surface_connectivity(surface);
-  return internal::Chart_growth(surface, submesh, distance, internal::largest_of_component(submesh, distance),
-                                options)
+  return internal::Chart_growth(surface, submesh, distance,
+                                internal::largest_distances(submesh, distance, options), options)
       .run()
       .segmentation();
 }
@@ -102,14 +140,17 @@ ATLAS_INLINE Segmentation Feature_segmentation::segment(const Surface& surface,
   const internal::Feature_distance field = internal::distance_to_features(surface, submesh, is_feature);
   if (!execution.proceed(0.7))
     return internal::one_chart_of(surface);
-  const std::vector<double> largest = internal::largest_of_component(submesh, field.triangle);
+  const std::vector<double> largest = internal::largest_distances(submesh, field.triangle, growth);
   internal::Chart_boundaries boundaries =
       internal::Chart_growth(surface, submesh, field.triangle, largest, growth).run();
   const double least_area = min_chart_area * internal::area_of_triangles(surface);
   internal::Small_chart_absorber(surface, submesh, boundaries)
       .run({min_chart_triangles, least_area, max_charts});
   Segmentation segmentation = boundaries.segmentation();
-  internal::cut_socks(surface, sock_ratio, segmentation, execution);
+  if (sock_rule == Sock_rule::parts)
+    internal::cut_socks(surface, sock_ratio, segmentation, execution);
+  else
+    internal::cut_socks_from_seeds(surface, sock_ratio, field.triangle, segmentation, execution);
   execution.proceed(1);
   return segmentation;
 }

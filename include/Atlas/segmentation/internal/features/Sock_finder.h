@@ -55,6 +55,21 @@ public:
     return result;
   }
 
+  /// Halfedges of the surface to cut, from the seed to the border, if the chart as a whole is a sock: the
+  /// paper's rule.
+  /// \param seed  a triangle of the chart
+  std::vector<Index> cut_of_whole_chart(double sock_ratio, Index seed)
+  {
+    double area = 0, perimeter = 0;
+    for (Index t = 0; t < chart_.triangles.size(); ++t)
+      area += triangle_area(surface_, chart_.triangles[t]);
+    for (Index h = 0; h < chart_.opposite.size(); ++h)
+      if (chart_.opposite[h] == no_index)
+        perimeter += edge_length(surface_, chart_.global(h));
+    return area > sock_ratio * perimeter * perimeter ? path_down_from(highest_corner(seed))
+                                                     : std::vector<Index>();
+  }
+
 private:
   struct Part
   {
@@ -170,9 +185,11 @@ private:
   std::vector<std::uint8_t> is_reached_; ///< per vertex: on the border or on a cut
 };
 
-/// Cuts the socks of all charts. O(n log n), parallel over charts.
-inline void cut_socks(const Surface& surface, double sock_ratio, Segmentation& segmentation,
-                      const Execution& execution)
+/// Cuts charts open: `find` gives the halfedges for the finder of a chart and the chart. Parallel over
+/// charts.
+template <typename Find>
+void cut_charts_open(const Surface& surface, Segmentation& segmentation, const Execution& execution,
+                     Find find)
 {
   std::vector<std::vector<Index>> lists = triangles_of_charts(segmentation);
   std::vector<std::vector<Index>> cuts(lists.size());
@@ -180,11 +197,36 @@ inline void cut_socks(const Surface& surface, double sock_ratio, Segmentation& s
   execution.for_each(lists.size(), [&](std::size_t c) {
     const Submesh chart = make_submesh(
         surface, std::move(lists[c]), [&](Index h) { return segmentation.is_glued(surface, h); }, local);
-    cuts[c] = Sock_finder(surface, chart).cuts(sock_ratio);
+    Sock_finder finder(surface, chart);
+    cuts[c] = find(finder, chart);
   });
   for (const std::vector<Index>& some : cuts)
     for (const Index h : some)
       set_cut(surface, segmentation, h, true);
+}
+
+/// Cuts the socks of all charts. O(n log n).
+inline void cut_socks(const Surface& surface, double sock_ratio, Segmentation& segmentation,
+                      const Execution& execution)
+{
+  cut_charts_open(surface, segmentation, execution,
+                  [&](Sock_finder& finder, const Submesh&) { return finder.cuts(sock_ratio); });
+}
+
+/// Cuts the charts that are socks as a whole, from their seeds: the triangles with the largest distance to
+/// features. The cut falls with the distance to the chart's border, so that it arrives there also where a
+/// feature ends inside the chart. O(n log n).
+inline void cut_socks_from_seeds(const Surface& surface, double sock_ratio,
+                                 const std::vector<double>& distance, Segmentation& segmentation,
+                                 const Execution& execution)
+{
+  cut_charts_open(surface, segmentation, execution, [&](Sock_finder& finder, const Submesh& chart) {
+    Index seed = 0;
+    for (Index t = 1; t < chart.triangles.size(); ++t)
+      if (distance[chart.triangles[t]] > distance[chart.triangles[seed]])
+        seed = t;
+    return finder.cut_of_whole_chart(sock_ratio, seed);
+  });
 }
 
 } // namespace Atlas::internal
