@@ -268,7 +268,7 @@ private:
 /// The limit is for all that LSCM needs beyond the chart itself: the geometry, the matrix, its order, the
 /// fronts of the elimination, and as much of the factor as then fits; the rest of the factor goes to the
 /// file, which each solution reads once forward and once backward. The chart itself stays in memory. What
-/// does not go to the file takes about 600 bytes for each vertex of a disc; with a lower limit the solver
+/// does not go to the file takes 600 to 700 bytes for each vertex of a disc; with a lower limit the solver
 /// fails. For charts of 4000 vertices and more the solution is that of `Direct_LSCM_solver`, bit for bit.
 class Out_of_core_LSCM_solver
 {

@@ -12,7 +12,7 @@
 namespace Atlas::internal {
 
 /// Bytes for each vertex while the matrix is put together and put in order, before the factorization.
-inline constexpr std::size_t bytes_for_assembly = 400;
+inline constexpr std::size_t bytes_for_assembly = 570;
 
 /// A twentieth of the limit is left free.
 inline constexpr std::size_t margin_share = 20;
