@@ -22,6 +22,9 @@ struct Distortion_options
   double target = 0;
   /// In [0, 1], for `Distortion_energy::conformal_stretch` only: 0 is conformal, 1 is least stretch.
   double stretch_weight = 0.5;
+  /// Whether border vertices keep their places, up to one scale for the whole chart: for charts with a border
+  /// that was chosen, as harmonic maps have (Table 1 of the LSCM paper).
+  bool keeps_border = false;
 };
 
 /// \brief What an optimiser minimises: the mean over a chart, weighted by area in space, of an energy of the

@@ -189,8 +189,8 @@ private:
 /// \brief Conjugate gradients on the real least squares matrix A of the LSCM paper, equation 4, with the
 /// diagonal of A^T A as preconditioner. A^T A itself is never formed.
 ///
-/// Stops when the residual is 1e-12 of the right-hand side, or after ten times as many iterations as there
-/// are real unknowns.
+/// Stops when the residual is 1e-8 of the right-hand side, which the refinement of `LSCM_parameterizer`
+/// squares, or after ten times as many iterations as there are real unknowns.
 class Conjugate_gradient_LSCM_solver
 {
 public:
@@ -290,6 +290,34 @@ private:
   std::unique_ptr<internal::LSCM_solver_interface> chosen_;
 };
 
+/// What `diameter_pins()` may visit of a chart's vertices, each as often as paths from anywhere reach it:
+/// some seconds. So the pins of a chart of n vertices, b of them on the border, are exact if n b is no more;
+/// long charts need less.
+inline constexpr std::size_t default_diameter_visits = 20'000'000;
+
+/// \brief The pins of the LSCM paper: the ends of the graph's diameter, the two vertices on the border whose
+/// shortest path along edges is longest.
+///
+/// The paper pins "the two vertices maximizing the length of the shortest path between them", and triangles
+/// keep their orientation "if the pinned vertices are chosen on the boundary". The default pins, those of a
+/// double sweep, may be as near as 75 % of that; and they do not count the way around a cut, as this does. Of
+/// a chart without border, any vertices. The pins lie as far apart in the plane as the path is long.
+///
+/// \param most_visits  after so many visits of vertices the longest path found so far is the answer, at least
+/// that of a double sweep. O(n log n) for n visits.
+/// \return two pins; none for a chart without triangles
+/// \throws Invalid_argument if a triangle has a vertex that does not exist
+std::vector<LSCM_pin> diameter_pins(const Chart& chart, std::size_t most_visits = default_diameter_visits);
+
+/// \brief Traits with a solver of one's choice, and the pins of the paper: `diameter_pins()`.
+template <LSCMSolver Solver_>
+struct Diameter_LSCM_traits
+{
+  using Solver = Solver_;
+
+  std::vector<LSCM_pin> pins(const Chart& chart) const { return diameter_pins(chart); }
+};
+
 /// \brief The default: direct solvers that need nothing but Eigen.
 using Eigen_LSCM_traits = Basic_LSCM_traits<Direct_LSCM_solver>;
 
@@ -323,6 +351,9 @@ private:
   std::size_t memory_limit_;
   std::string directory_;
 };
+
+/// \brief The solver and the pins of the LSCM paper.
+using Paper_LSCM_traits = Diameter_LSCM_traits<Conjugate_gradient_LSCM_solver>;
 
 } // namespace Atlas
 

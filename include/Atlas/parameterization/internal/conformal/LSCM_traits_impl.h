@@ -11,6 +11,8 @@
 #include <Atlas/parameterization/internal/conformal/iterative_solvers.h>
 #include <Atlas/parameterization/internal/conformal/multigrid.h>
 #include <Atlas/parameterization/internal/conformal/out_of_core_cholesky.h>
+#include <Atlas/parameterization/internal/conformal/pins.h>
+#include <Atlas/parameterization/internal/geometry/graph_diameter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +52,22 @@ ATLAS_INLINE void check_pins(std::span<const LSCM_pin> pins, std::size_t number_
 inline constexpr std::size_t least_multifrontal_system = 4000;
 
 } // namespace internal
+
+ATLAS_INLINE std::vector<LSCM_pin> diameter_pins(const Chart& chart, std::size_t most_visits)
+{
+  internal::check_chart(chart);
+  if (chart.triangles.empty())
+    return {};
+  const internal::Chart_geometry geometry(chart);
+  std::vector<bool> candidates = internal::border_vertices(chart);
+  if (std::none_of(candidates.begin(), candidates.end(), [](bool is_on_border) { return is_on_border; }))
+    candidates.assign(candidates.size(), true);
+  const internal::Graph_diameter found =
+      internal::Graph_diameter_search(geometry, candidates).run(most_visits);
+  if (!(found.length > 0))
+    return internal::default_pins(geometry);
+  return {{found.first, Point_2(0, 0)}, {found.second, Point_2(geometry.to_model(found.length), 0)}};
+}
 
 ATLAS_INLINE bool Direct_LSCM_solver::factorize(const LSCM_system& system, const Execution& execution)
 {

@@ -31,7 +31,9 @@ Chart_status optimize_distortion(const Energy& energy, const Distortion_options&
     return Chart_status::flipped;
   minimizer.scale(minimizer.best_scale());
   const double target = options.target * Energy::isometry;
-  if (minimizer.mean_energy() > target) {
+  if (options.keeps_border)
+    minimizer.keep_border();
+  else if (minimizer.mean_energy() > target) {
     Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates(), energy);
     if (start(options.max_iterations, options.tolerance, execution) && minimizer.adopt(start.coordinates()) &&
         start.is_guarded())

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,7 +32,8 @@ public:
   Distortion_minimizer(const Chart_geometry& geometry, std::vector<Complex> u, const Energy& energy)
       : function_(energy), geometry_(geometry), chart_(geometry.chart()),
         rest_(rest_triangles(geometry, least_optimized_height)), checker_(chart_), system_(chart_),
-        barrier_(geometry, checker_.borders()), u_(std::move(u)), gradient_(u_.size())
+        barrier_(geometry, checker_.borders()), u_(std::move(u)), gradient_(u_.size()),
+        is_fixed_(u_.size(), 0)
   {
     for (const Rest_triangle& rest : rest_)
       area_ += rest.area;
@@ -79,6 +81,14 @@ public:
   {
     is_guarded_ = is_simple_;
     energy_ = total(u_);
+  }
+
+  /// Lets border vertices stay where they are from now on.
+  void keep_border()
+  {
+    for (const std::vector<Index>& border : checker_.borders())
+      for (const Index v : border)
+        is_fixed_[v] = 1;
   }
 
   /// Goes on from another map if that is as valid and has less energy.
@@ -215,8 +225,10 @@ private:
     const std::array<double, 4> weight{std::sqrt(rest.area * d.krr), std::sqrt(rest.area * l11),
                                        std::sqrt(rest.area * d.tangential_f),
                                        std::sqrt(rest.area * d.tangential_g)};
-    std::array<std::array<Complex, 4>, 3> form;
+    std::array<std::array<Complex, 4>, 3> form{};
     for (int j = 0; j < 3; ++j) {
+      if (is_fixed_[corner[j]])
+        continue; // neither a gradient nor an equation: the regularized solution is no step
       const Complex of_f = times(ef, rest.beta[j]), of_g = times(eg, std::conj(rest.beta[j]));
       form[j] = {weight[0] * (of_f + l10 * of_g), weight[1] * of_g,
                  weight[2] * Complex(-of_f.imag(), of_f.real()),
@@ -274,6 +286,7 @@ private:
   Vertex_block_cholesky system_;
   Border_barrier barrier_;
   std::vector<Complex> u_, gradient_;
+  std::vector<std::uint8_t> is_fixed_; ///< per vertex
   double area_ = 0, energy_ = 0;
   bool has_flip_, is_simple_, is_guarded_ = false, is_guarded_by_failure_ = false;
 };
