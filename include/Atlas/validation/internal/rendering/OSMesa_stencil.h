@@ -28,7 +28,7 @@ struct Stencil_triangle
 };
 
 /// \brief An offscreen OpenGL context (Mesa's OSMesa) with a square stencil buffer that counts how often its
-/// texels are drawn. Current in the thread that makes it, and only to be used there.
+/// texels are drawn. Only to be used in the thread that makes it, while it is current there: see `Use`.
 class OSMesa_stencil
 {
 public:
@@ -42,8 +42,7 @@ public:
       throw std::runtime_error(name + " exceeds the largest viewport");
     buffer_.resize(std::size_t(size) * size);
     const auto side = static_cast<GLsizei>(size);
-    if (!context_ || !OSMesaMakeCurrent(context_.get(), buffer_.data(), GL_UNSIGNED_BYTE, side, side))
-      throw std::runtime_error("cannot make " + name);
+    make_current();
     GLint bits = 0;
     glGetIntegerv(GL_STENCIL_BITS, &bits);
     if (bits < 8)
@@ -61,7 +60,31 @@ public:
   }
   OSMesa_stencil(const OSMesa_stencil&) = delete;
   OSMesa_stencil& operator=(const OSMesa_stencil&) = delete;
-  ~OSMesa_stencil() { OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+  ~OSMesa_stencil() { release(); }
+
+  /// \brief Makes a stencil current as long as it lives.
+  class Use
+  {
+  public:
+    /// \throw std::runtime_error  the context cannot be made current
+    explicit Use(OSMesa_stencil& stencil) { stencil.make_current(); }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+    ~Use() { release(); }
+  };
+
+  /// The stencil of that size that the calling thread keeps: making a context takes longer than to draw most
+  /// charts. One of another size takes its place.
+  /// \throw std::runtime_error  no such context can be made here
+  static OSMesa_stencil& of_this_thread(Index size)
+  {
+    thread_local std::unique_ptr<OSMesa_stencil> kept;
+    if (!kept || kept->size() != size) {
+      kept.reset();
+      kept = std::make_unique<OSMesa_stencil>(size);
+    }
+    return *kept;
+  }
 
   /// The side of the largest tile that can be made.
   static Index largest_size()
@@ -108,6 +131,16 @@ public:
   }
 
 private:
+  static void release() { OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+
+  void make_current()
+  {
+    const auto side = static_cast<GLsizei>(size_);
+    if (!context_ || !OSMesaMakeCurrent(context_.get(), buffer_.data(), GL_UNSIGNED_BYTE, side, side))
+      throw std::runtime_error("cannot make an OSMesa context of " + std::to_string(size_) + " x " +
+                               std::to_string(size_) + " texels current");
+  }
+
   /// Draws all triangles; every fragment counts, those at which the count compares well are seen.
   void draw(GLenum comparison, unsigned reference)
   {

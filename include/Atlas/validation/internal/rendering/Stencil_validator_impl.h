@@ -58,8 +58,9 @@ ATLAS_INLINE Stencil_overlaps find_stencil_overlaps(std::span<const Triangle_uv>
                                                     Index tile, unsigned max_layers)
 {
   internal::require(resolution > 0, "resolution", "must be at least 1 texel");
-  internal::OSMesa_stencil stencil(
+  internal::OSMesa_stencil& stencil = internal::OSMesa_stencil::of_this_thread(
       std::min({resolution, tile == 0 ? no_index : tile, internal::OSMesa_stencil::largest_size()}));
+  const internal::OSMesa_stencil::Use use(stencil);
   return internal::Stencil_painter(triangles, resolution, max_layers, stencil).run();
 }
 
