@@ -54,6 +54,25 @@ public:
 
 static_assert(PageEngine<Rectangle_packer> && ChartPacker<Rectangle_packer>);
 
+/// \brief Packs the bounding rectangles of least area of the charts in rows: the enclosing rectangle packing
+/// of Sander et al. 2001 that the LSCM paper compares with.
+///
+/// The longer side of each rectangle is stood upright; rectangles are put side by side by decreasing height,
+/// and a new row begins on top of the highest of the last where the page ends. The baseline of baselines.
+/// Same guarantees as `Horizon_packer`.
+///
+/// Models `PageEngine` and, by `Page_packer`, `ChartPacker`.
+class Row_packer
+{
+public:
+  std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
+
+  /// \throws Invalid_argument \see `Page_packer::pack()`
+  Packing pack(std::span<const Chart> charts, const Page_options& page, const Execution& execution) const;
+};
+
+static_assert(PageEngine<Row_packer> && ChartPacker<Row_packer>);
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY

@@ -23,6 +23,20 @@ ATLAS_INLINE Packing Rectangle_packer::pack(std::span<const Chart> charts, const
   return Page_packer(*this).pack(charts, page, execution);
 }
 
+ATLAS_INLINE std::optional<Page_layout> Row_packer::lay_out(const Page_task& task,
+                                                            const Execution& execution) const
+{
+  const internal::Outlines outlines = internal::outlines_of(task);
+  return internal::page_layout(
+      internal::horizon_layout(outlines, task, internal::Horizon_source::rows, execution));
+}
+
+ATLAS_INLINE Packing Row_packer::pack(std::span<const Chart> charts, const Page_options& page,
+                                      const Execution& execution) const
+{
+  return Page_packer(*this).pack(charts, page, execution);
+}
+
 } // namespace Atlas
 
 #endif

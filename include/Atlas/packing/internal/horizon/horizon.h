@@ -178,6 +178,34 @@ private:
   std::vector<std::size_t> falling_;
 };
 
+/// One page that is filled in rows from left to right, from the bottom to the top.
+class Row_page
+{
+public:
+  Row_page(Index width, Index height) : width_(width), height_(height) {}
+
+  /// Puts the shape at the end of the row, or at the beginning of a new one. Gives the place of the lower
+  /// left corner, if there is one on the page. O(1).
+  std::optional<Vec2> insert(const Horizon_shape& shape)
+  {
+    const double w = static_cast<double>(shape.width());
+    if (end_ + w > width_) {
+      bottom_ += highest_;
+      end_ = highest_ = 0;
+    }
+    if (w > width_ || bottom_ + shape.height > height_)
+      return std::nullopt;
+    const Vec2 corner{end_, bottom_};
+    end_ += w;
+    highest_ = std::max(highest_, shape.height);
+    return corner;
+  }
+
+private:
+  double width_, height_;
+  double bottom_ = 0, end_ = 0, highest_ = 0; ///< of the last row
+};
+
 } // namespace Atlas::internal
 
 #endif

@@ -12,12 +12,33 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
 
-/// What the horizon of a chart is taken from.
-enum class Horizon_source { outline, rectangle };
+/// What the horizon of a chart is taken from, and where it goes.
+enum class Horizon_source {
+  outline,   ///< the chart, on the horizon of the page
+  rectangle, ///< its least rectangle, on the horizon of the page
+  rows       ///< its least rectangle, in rows
+};
+
+/// Puts the shapes on one page in the given order: per shape the lower left corner; nothing if there is no
+/// room. \tparam Page  `Horizon_page` or `Row_page`
+template <typename Page>
+std::optional<std::vector<Vec2>> corners_on(Page page, const std::vector<Horizon_shape>& shapes,
+                                            const std::vector<Index>& order, const Execution& execution)
+{
+  std::vector<Vec2> corners(shapes.size());
+  for (const Index i : order) {
+    const std::optional<Vec2> corner = page.insert(shapes[i]);
+    if (!corner || execution.is_cancelled())
+      return std::nullopt;
+    corners[i] = *corner;
+  }
+  return corners;
+}
 
 /// The turn that puts `direction` upright, as far as it may be turned.
 inline Vec2 upright(Vec2 direction, Chart_rotation rotation)
@@ -80,7 +101,8 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
                                             Horizon_source source, const Execution& execution)
 {
   const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
-  const std::vector<Index> order = by_height(outlines, turns);
+  std::vector<Index> order = by_height(outlines, turns);
+  std::erase_if(order, [&](Index i) { return outlines.charts[i].is_empty(); });
   std::vector<Horizon_shape> shapes(outlines.size());
   const auto attempt = [&](double scale, double margin) -> std::optional<Layout> {
     Layout layout{scale, margin, turns, std::vector<Vec2>(outlines.size())};
@@ -88,19 +110,15 @@ inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page
       if (outlines.charts[i].is_empty())
         return;
       shapes[i] = horizon_shape(outlines.charts[i], turns[i], scale, margin);
-      if (source == Horizon_source::rectangle)
+      if (source != Horizon_source::outline)
         flatten_horizons(shapes[i]);
     });
-    Horizon_page sheet(page.width, page.height);
-    for (const Index i : order) {
-      if (outlines.charts[i].is_empty())
-        continue;
-      const std::optional<Vec2> corner = sheet.insert(shapes[i]);
-      if (!corner || execution.is_cancelled())
-        return std::nullopt;
-      layout.positions[i] = *corner + shapes[i].origin;
-    }
-    return layout;
+    const auto corners = source == Horizon_source::rows
+                             ? corners_on(Row_page(page.width, page.height), shapes, order, execution)
+                             : corners_on(Horizon_page(page.width, page.height), shapes, order, execution);
+    for (std::size_t i = 0; corners && i < outlines.size(); ++i)
+      layout.positions[i] = (*corners)[i] + shapes[i].origin;
+    return corners ? std::optional(std::move(layout)) : std::nullopt;
   };
   // Thousands of charts on a large page are not worth ten attempts.
   const double precision = double(outlines.size()) * page.width > 1e7 ? 5e-3 : 1e-3;
