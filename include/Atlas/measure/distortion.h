@@ -45,6 +45,15 @@ struct Triangle_distortion
 /// Measures a triangle with positions `p` and coordinates `q`.
 Triangle_distortion triangle_distortion(const std::array<Point_3, 3>& p, const std::array<Point_2, 3>& q);
 
+/// The angle between the gradients of u and v in a triangle, in degrees, in [0, 180]; 90 where the map is
+/// conformal; not a number for a triangle without area in space or in the plane. What figure 9 of the LSCM
+/// paper shows. It depends on how the plane is turned, unlike `Distortion::angle_mean`, which is the most
+/// that it can be off.
+double gradient_angle(const std::array<Point_3, 3>& p, const std::array<Point_2, 3>& q);
+
+/// The same for every triangle of a flattened chart.
+std::vector<double> gradient_angles(const Chart& chart);
+
 /// \brief Distortion of a set of triangles, weighted by their area in space, up to one scale for all of them.
 ///
 /// With g = sqrt(area in the plane / area in space), s1 = g Gamma and s2 = g gamma of each triangle.
@@ -75,6 +84,11 @@ Distortion summarize_distortion(std::span<const Triangle_distortion> measured);
 
 /// Measures every triangle of a flattened chart.
 std::vector<Triangle_distortion> triangle_distortions(const Chart& chart);
+
+/// Measures every triangle of a chart that is scaled so that its area in the plane is its area in space.
+/// \param uv  per vertex of the chart, the coordinates to measure
+std::vector<Triangle_distortion> triangle_distortions_at_own_scale(const Chart& chart,
+                                                                   std::span<const Point_2> uv);
 
 /// Distortion of one flattened chart, up to its own scale.
 Distortion measure_distortion(const Chart& chart);

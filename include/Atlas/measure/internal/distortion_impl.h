@@ -10,20 +10,45 @@
 
 namespace Atlas {
 
+namespace internal {
+
+/// The first fundamental form of the affine map from the plane to space: a = S_s^2, b = S_s S_t, c = S_t^2.
+struct First_fundamental_form
+{
+  double area_3d, area_uv; ///< a, b and c are only there if both are positive
+  double a = 0, b = 0, c = 0;
+
+  First_fundamental_form(const std::array<Point_3, 3>& p, const std::array<Point_2, 3>& q)
+  {
+    const Vector_3 e1 = p[1] - p[0], e2 = p[2] - p[0];
+    const Vector_2 d1 = q[1] - q[0], d2 = q[2] - q[0];
+    const double determinant = d1.x() * d2.y() - d1.y() * d2.x();
+    area_3d = std::sqrt(CGAL::cross_product(e1, e2).squared_length()) / 2;
+    area_uv = std::abs(determinant) / 2;
+    if (!has_area())
+      return;
+    const Vector_3 s = (d2.y() * e1 - d1.y() * e2) / determinant;
+    const Vector_3 t = (d1.x() * e2 - d2.x() * e1) / determinant;
+    a = s * s;
+    b = s * t;
+    c = t * t;
+  }
+
+  bool has_area() const { return area_3d != 0 && area_uv != 0; }
+};
+
+} // namespace internal
+
 ATLAS_INLINE Triangle_distortion triangle_distortion(const std::array<Point_3, 3>& p,
                                                      const std::array<Point_2, 3>& q)
 {
+  const internal::First_fundamental_form form(p, q);
   Triangle_distortion result;
-  const Vector_3 e1 = p[1] - p[0], e2 = p[2] - p[0];
-  const Vector_2 d1 = q[1] - q[0], d2 = q[2] - q[0];
-  const double determinant = d1.x() * d2.y() - d1.y() * d2.x();
-  result.area_3d = std::sqrt(CGAL::cross_product(e1, e2).squared_length()) / 2;
-  result.area_uv = std::abs(determinant) / 2;
-  if (determinant == 0 || result.area_3d == 0)
+  result.area_3d = form.area_3d;
+  result.area_uv = form.area_uv;
+  if (!form.has_area())
     return result;
-  const Vector_3 s = (d2.y() * e1 - d1.y() * e2) / determinant;
-  const Vector_3 t = (d1.x() * e2 - d2.x() * e1) / determinant;
-  const double a = s * s, b = s * t, c = t * t;
+  const auto [a, b, c] = std::array{form.a, form.b, form.c};
   result.largest = std::sqrt((a + c + std::hypot(a - c, 2 * b)) / 2);
   result.smallest = result.area_3d / result.area_uv / result.largest;
   return result;
@@ -101,6 +126,48 @@ ATLAS_INLINE std::vector<Triangle_distortion> triangle_distortions(const Chart& 
   for (const auto& [a, b, c] : chart.triangles)
     result.push_back(triangle_distortion({chart.points[a], chart.points[b], chart.points[c]},
                                          {chart.uv[a], chart.uv[b], chart.uv[c]}));
+  return result;
+}
+
+ATLAS_INLINE std::vector<Triangle_distortion> triangle_distortions_at_own_scale(const Chart& chart,
+                                                                                std::span<const Point_2> uv)
+{
+  std::vector<Triangle_distortion> result;
+  result.reserve(chart.number_of_triangles());
+  double in_space = 0, in_plane = 0;
+  for (const auto& [a, b, c] : chart.triangles) {
+    result.push_back(
+        triangle_distortion({chart.points[a], chart.points[b], chart.points[c]}, {uv[a], uv[b], uv[c]}));
+    in_space += result.back().area_3d;
+    in_plane += result.back().area_uv;
+  }
+  if (!(in_space > 0 && in_plane > 0))
+    return result;
+  const double scale = std::sqrt(in_space / in_plane);
+  for (Triangle_distortion& t : result) {
+    t.area_uv *= scale * scale;
+    t.largest /= scale;
+    t.smallest /= scale;
+  }
+  return result;
+}
+
+// The gradients of u and v are the dual basis of S_s and S_t: the two angles make up a straight one.
+ATLAS_INLINE double gradient_angle(const std::array<Point_3, 3>& p, const std::array<Point_2, 3>& q)
+{
+  const internal::First_fundamental_form form(p, q);
+  if (!form.has_area())
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::acos(std::clamp(-form.b / std::sqrt(form.a * form.c), -1.0, 1.0)) * 180 / CGAL_PI;
+}
+
+ATLAS_INLINE std::vector<double> gradient_angles(const Chart& chart)
+{
+  std::vector<double> result;
+  result.reserve(chart.number_of_triangles());
+  for (const auto& [a, b, c] : chart.triangles)
+    result.push_back(gradient_angle({chart.points[a], chart.points[b], chart.points[c]},
+                                    {chart.uv[a], chart.uv[b], chart.uv[c]}));
   return result;
 }
 
