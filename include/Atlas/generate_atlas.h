@@ -23,13 +23,14 @@ namespace internal {
 template <typename... More>
 using Atlas_names =
     Only_names<texture_size_t, gutter_t, page_options_t, mode_t, merge_options_t, max_charts_t,
-               min_chart_texels_t, hard_angle_t, segmentation_t, parameterizer_t, optimizer_t, validator_t,
-               splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
+               min_chart_texels_t, hard_angle_t, policies_t, segmentation_t, parameterizer_t, optimizer_t,
+               validator_t, splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
 
 /// The policies of a pack.
 template <typename NamedParameters>
 void read_policies(const NamedParameters& np, Atlas_request& request)
 {
+  read_parameter<policies_t>(np, request.policies);
   if constexpr (has_parameter<segmentation_t, NamedParameters>) {
     static_assert(ChartSegmentation<std::remove_cvref_t<decltype(parameter<segmentation_t>(np))>>,
                   "the segmentation must model ChartSegmentation");

@@ -77,6 +77,10 @@ struct Page_options
   /// Locked charts are not checked against each other. Where they leave no room on the only page, there is no
   /// packing.
   std::vector<std::optional<Placement>> locked = {};
+  /// Whether `generate_atlas()` may choose another ratio of the sides, with about the same number of texels:
+  /// the enclosing rectangle of least area (section 4 of the LSCM paper). The report tells the sides. Takes
+  /// 17 packings. Packers themselves keep to `width` and `height`.
+  bool has_free_aspect = false;
 
   /// The distance that is kept between charts, with mip levels and blocks: two points of one block are nearer
   /// than its diagonal.

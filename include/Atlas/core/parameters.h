@@ -29,6 +29,8 @@ struct forbidden_seam_map_t
 {};
 struct face_weight_map_t
 {};
+struct policies_t
+{};
 struct segmentation_t
 {};
 struct parameterizer_t
@@ -135,6 +137,13 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::face_weight_map_t>(k);
   }
+  /// All policies at once, as `Policies`: those of `preset()`, some of them exchanged. Policies that are
+  /// given by their own names prevail.
+  template <typename K>
+  auto policies(const K& k) const
+  {
+    return with<internal::policies_t>(k);
+  }
   /// A model of `ChartSegmentation`.
   template <typename K>
   auto segmentation(const K& k) const
@@ -227,6 +236,7 @@ template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, i
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
 template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }
+template <typename K> auto policies(const K& k) { return Named_parameters<K, internal::policies_t>(k); }
 template <typename K> auto segmentation(const K& k) { return Named_parameters<K, internal::segmentation_t>(k); }
 template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
 template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }

@@ -49,6 +49,7 @@ struct Chart_report
   std::size_t triangles = 0;
   double area = 0;             ///< in space, squared units of the model
   Distortion distortion;       ///< up to the chart's own scale
+  Distortion unoptimized;      ///< the same before the optimizer
   bool is_within_bound = true; ///< whether the distortion is at most `Atlas_report::bound`
   Flattening_record
       flattening; ///< what was done to flatten it; as by default for parameterizers that do not tell
@@ -72,19 +73,24 @@ struct [[nodiscard]] Atlas_report
   std::vector<Index> face_chart; ///< per face of the input: its chart, or `no_index` for a rejected face
   std::vector<Index> face_page;  ///< per face of the input: its page
   std::vector<Chart_report> charts;
-  std::size_t split_charts = 0;    ///< how many charts were refused and split on the way
-  std::size_t rejoined_pieces = 0; ///< how many of the pieces were accepted together with a neighbour
-  std::size_t stacked_charts = 0;  ///< how many charts lie on a chart that they are a copy of, as asked for;
-                                   ///< the certificate takes each such layer for a page of its own
+  std::size_t segmented_charts = 0; ///< how many charts the segmentation made, before they were cut to discs
+  std::size_t split_charts = 0;     ///< how many charts were refused and split on the way
+  std::size_t rejoined_pieces = 0;  ///< how many of the pieces were accepted together with a neighbour
+  std::size_t stacked_charts = 0;   ///< how many charts lie on a chart that they are a copy of, as asked for;
+                                    ///< the certificate takes each such layer for a page of its own
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
   std::size_t charts_beyond_bound = 0;
 
-  double area = 0;               ///< of the surface, squared units of the model
-  double seam_length = 0;        ///< units of the model, each seam once
-  Distortion distortion;         ///< of the whole atlas, up to one scale
-  double packing_efficiency = 0; ///< share of the pages that is covered by charts, in [0, 1]
-  double density = 0;            ///< texels per unit of the model
+  double area = 0;        ///< of the surface, squared units of the model
+  double seam_length = 0; ///< units of the model, each seam once
+  Distortion distortion;  ///< of the whole atlas, up to one scale
+  Distortion unoptimized; ///< the same before the optimizer, each chart scaled to its area in space; the same
+                          ///< as `distortion` if the optimizer changed nothing
+  std::array<double, 180> gradient_angles{}; ///< figure 9 of the LSCM paper: per degree of the angle between
+                                             ///< the gradients of u and v, the share of the triangles
+  double packing_efficiency = 0;             ///< share of the pages that is covered by charts, in [0, 1]
+  double density = 0;                        ///< texels per unit of the model
 
   std::array<double, std::size(all_stages)> seconds{}; ///< wall-clock time of each stage
   Atlas_certificate certificate;

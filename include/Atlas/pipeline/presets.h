@@ -3,8 +3,11 @@
 #define ATLAS_PIPELINE_PRESETS_H
 
 #include <Atlas/core/Any_policies.h>
+#include <Atlas/core/Packing.h>
 #include <Atlas/core/internal/library.h>
 #include <Atlas/segmentation/merge_charts.h>
+
+#include <limits>
 
 namespace Atlas {
 
@@ -12,7 +15,9 @@ namespace Atlas {
 enum class Atlas_mode {
   standard,  ///< few charts, short seams, low distortion: mean symmetric Dirichlet energy of at most 1.035
   few_seams, ///< fewer and larger charts, shorter seams; a bound of 1.05
-  conformal  ///< least squares conformal maps as they are; densities in a chart within a factor of 2
+  conformal, ///< least squares conformal maps as they are; densities in a chart within a factor of 2
+  paper ///< B. Levy, S. Petitjean, N. Ray, J. Maillot, SIGGRAPH 2002, to the letter, and nothing else: for
+        ///< study and comparison. See `paper_preset()`
 };
 
 /// The name of a mode, as programs write it.
@@ -25,11 +30,13 @@ inline const char* name(Atlas_mode mode)
     return "few_seams";
   case Atlas_mode::conformal:
     return "conformal";
+  case Atlas_mode::paper:
+    return "paper";
   }
   return "unknown";
 }
 
-/// When charts merge in a mode.
+/// When charts merge in a mode. In `paper` they do not; the options are the defaults.
 Merge_options merge_options(Atlas_mode mode);
 
 /// Within a chart, areas in the plane over areas in space differ by at most this factor, the extreme
@@ -40,6 +47,29 @@ inline constexpr double default_density_ratio = 4;
 /// nothing.
 inline constexpr double default_density_quantile = 0.01;
 
+/// \brief What is done about charts that are refused, besides splitting them. None of it is in the paper.
+struct Repair_options
+{
+  /// Stands for a round that never comes: splitting goes on until every chart is accepted. It ends, as every
+  /// split lowers the number of faces in a chart.
+  static constexpr int never = std::numeric_limits<int>::max();
+
+  /// Whether pieces of charts that were split may join neighbours, where the bound on distortion lets them.
+  bool rejoin_pieces = true;
+  /// From this round of splitting on charts are halved, whatever the splitter proposes: then there are at
+  /// most log2(faces) rounds more. At least 0.
+  int first_halving_round = 8;
+  /// Splits that only serve the bound on densities stop after so many rounds; what is left keeps its status.
+  /// At least 0.
+  int max_bound_rounds = 12;
+  /// Whether charts are optimised after they have been accepted, as the paper does, not before. An optimised
+  /// chart that the validator refuses stays as it was.
+  bool optimize_accepted = false;
+
+  /// The paper's: only splitting.
+  static constexpr Repair_options paper() { return {false, never, never, true}; }
+};
+
 /// \brief The policies of a run, one for each stage.
 struct Policies
 {
@@ -49,6 +79,7 @@ struct Policies
   Any_validator validator;
   Any_splitter splitter;
   Any_packer packer;
+  Repair_options repair = {};
 };
 
 /// \brief The policies of a mode. Each may be exchanged for another.
@@ -65,7 +96,8 @@ struct Policies
 /// - `packer`: `Raster_packer`
 ///
 /// \param options  when charts merge
-/// \throws Invalid_argument if an option is out of its range
+/// \throws Invalid_argument if an option is out of its range, or the mode is `paper`, which needs a
+/// validator: see `paper_preset()`
 Policies preset(Atlas_mode mode, const Merge_options& options);
 
 /// The policies of a mode with its own options.
@@ -73,6 +105,25 @@ inline Policies preset(Atlas_mode mode = Atlas_mode::standard)
 {
   return preset(mode, merge_options(mode));
 }
+
+/// \brief The policies of the paper.
+///
+/// - `segmentation`: `Feature_segmentation::paper()`
+/// - `parameterizer`: `LSCM_parameterizer` with `Paper_LSCM_traits`: conjugate gradients, pins at the ends of
+///   the graph's diameter
+/// - `optimizer`: `Identity_optimizer`; the paper's optional one is `Stretch_optimizer`
+/// - `splitter`: `Culprit_splitter`
+/// - `packer`: `Horizon_packer`
+/// - `repair`: `Repair_options::paper()`
+///
+/// \param validator  the paper's is `Stencil_validator`, of the component `Atlas::Rendering`;
+///                   `Exact_validator` proves what that one samples. Both keep the paper's bound on
+///                   densities.
+Policies paper_preset(Any_validator validator);
+
+/// The share of the surface's area that so many texels of a page are, about. For
+/// `Merge_options::min_chart_area`.
+double area_share_of_texels(double texels, const Page_options& page);
 
 } // namespace Atlas
 

@@ -4,6 +4,7 @@
 
 #include <Atlas/core/internal/mean_weight.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/packing/internal/pages/least_page.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_flattener.h>
 #include <Atlas/pipeline/internal/normalize.h>
@@ -109,6 +110,7 @@ private:
     std::vector<Point_3> positions = positions_on_grid(surface_, model_.largest_side);
     std::swap(surface_.points, positions);
     segmentation_ = policies_.segmentation.segment(surface_, execution_);
+    report_.segmented_charts = segmentation_.number_of_charts;
     if (!execution_.is_cancelled())
       cut_to_discs(surface_, segmentation_, execution_);
     std::swap(surface_.points, positions);
@@ -121,6 +123,8 @@ private:
       charts_.push_back(f.chart);
     if (!surface_.density_weight.empty())
       page_.weights = chart_weights();
+    if (std::exchange(page_.has_free_aspect, false))
+      set_page(least_page(charts_, page_, policies_.packer, execution_));
     packing_ = policies_.packer.pack(charts_, page_, execution_);
     if (execution_.is_cancelled())
       return;
@@ -141,6 +145,13 @@ private:
     for (std::size_t i = 0; i < charts_.size(); ++i)
       for (const Index t : charts_[i].source)
         face_page_[surface_.face[t]] = packing_.placements[i].page;
+  }
+
+  void set_page(const Page_options& page)
+  {
+    page_ = page;
+    report_.page_width = page_.width;
+    report_.page_height = page_.height;
   }
 
   /// Charts that lie face down, on a mirror image of theirs, are turned over with the page as long as they
@@ -254,6 +265,36 @@ private:
     report_.segmentation = std::move(segmentation_);
   }
 
+  /// The distortion before the optimizer.
+  /// \param measured  per chart its triangles; empty for those that the optimizer did not change
+  void summarize_unoptimized(std::vector<std::vector<Triangle_distortion>> measured)
+  {
+    const auto is_empty = [](const auto& part) { return part.empty(); };
+    if (std::all_of(measured.begin(), measured.end(), is_empty))
+      return;
+    std::vector<Triangle_distortion> all;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      if (measured[i].empty())
+        measured[i] = triangle_distortions_at_own_scale(charts_[i], charts_[i].uv);
+      all.insert(all.end(), measured[i].begin(), measured[i].end());
+    }
+    report_.unoptimized = summarize_distortion(all);
+  }
+
+  void summarize_angles()
+  {
+    double count = 0;
+    for (const Chart& chart : charts_)
+      for (const double angle : gradient_angles(chart))
+        if (std::isfinite(angle)) {
+          const double last = static_cast<double>(report_.gradient_angles.size() - 1);
+          ++report_.gradient_angles[static_cast<std::size_t>(std::min(angle, last))];
+          ++count;
+        }
+    for (double& share : report_.gradient_angles)
+      share /= std::max(count, 1.0);
+  }
+
   void summarize()
   {
     report_.split_charts = flattener_.split_charts();
@@ -261,20 +302,26 @@ private:
     report_.face_page = face_page_;
     report_.seam_length = seam_length(surface_, segmentation_) * model_.unit;
     report_.charts.resize(charts_.size());
-    std::vector<std::vector<Triangle_distortion>> measured(charts_.size());
+    std::vector<std::vector<Triangle_distortion>> measured(charts_.size()), unoptimized(charts_.size());
     execution_.for_each(charts_.size(), [&](std::size_t i) {
       for (Point_2& p : charts_[i].uv)
         p = Point_2(p.x() * page_.width, p.y() * page_.height);
       measured[i] = triangle_distortions(charts_[i]);
+      const Flattened_chart& flat = flattener_.charts()[i];
+      if (!flat.uv_before.empty())
+        unoptimized[i] = triangle_distortions_at_own_scale(flat.chart, flat.uv_before);
       Chart_report& chart = report_.charts[i];
-      chart.status = flattener_.charts()[i].verdict.status;
+      chart.status = flat.verdict.status;
       chart.triangles = charts_[i].number_of_triangles();
       chart.area = area_3d(charts_[i]) * model_.unit * model_.unit;
       chart.distortion = summarize_distortion(measured[i]);
       chart.is_within_bound =
           !(value(chart.distortion, report_.bound.measure) > report_.bound.max) || chart.area == 0;
-      chart.flattening = flattener_.charts()[i].record;
+      chart.unoptimized = unoptimized[i].empty() ? chart.distortion : summarize_distortion(unoptimized[i]);
+      chart.flattening = flat.record;
     });
+    summarize_unoptimized(std::move(unoptimized));
+    summarize_angles();
     report_.charts_beyond_bound = static_cast<std::size_t>(
         std::count_if(report_.charts.begin(), report_.charts.end(),
                       [](const Chart_report& chart) { return !chart.is_within_bound; }));
@@ -282,6 +329,8 @@ private:
     for (const auto& part : measured)
       all.insert(all.end(), part.begin(), part.end());
     report_.distortion = summarize_distortion(all);
+    if (report_.unoptimized.triangles == 0)
+      report_.unoptimized = report_.distortion;
     double covered = report_.distortion.area_uv;
     for (std::size_t i = 0; i < packing_.layers.size(); ++i)
       if (packing_.layers[i] > 0) {

@@ -32,11 +32,6 @@ namespace Atlas::internal {
 class Chart_flattener
 {
 public:
-  /// Splits that only serve the bound on distortion stop after so many rounds; what is left keeps its status.
-  static constexpr int maximal_bound_rounds = 12;
-  /// From this round on refused charts are halved, whatever the validator proposes: then there are at most
-  /// log2(faces) rounds more.
-  static constexpr int first_halving_round = 8;
   /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
   static constexpr double share_for_joined_charts = 0.6;
   /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
@@ -60,7 +55,8 @@ public:
     std::vector<Index> all(segmentation_.number_of_charts);
     std::iota(all.begin(), all.end(), Index(0));
     flatten(std::move(all));
-    rejoin();
+    if (policies_.repair.rejoin_pieces)
+      rejoin();
   }
 
   /// Splits charts that were flattened well but fail on the page, and flattens the pieces.
@@ -101,7 +97,7 @@ private:
         if (is_final(results[i], round)) {
           done += results[i].chart.number_of_triangles();
           charts_[open[i]] = std::move(results[i]);
-        } else if (!this->split(open[i], results[i], round >= first_halving_round, split)) {
+        } else if (!this->split(open[i], results[i], round >= policies_.repair.first_halving_round, split)) {
           give_coordinates(results[i]);
           charts_[open[i]] = std::move(results[i]);
         }
@@ -115,7 +111,7 @@ private:
   {
     const Chart_status status = result.verdict.status;
     return status == Chart_status::valid ||
-           (status == Chart_status::area_ratio_exceeded && round >= maximal_bound_rounds);
+           (status == Chart_status::area_ratio_exceeded && round >= policies_.repair.max_bound_rounds);
   }
 
   std::vector<Flattened_chart> flatten_once(const std::vector<Index>& open) const
@@ -132,16 +128,39 @@ private:
 
   Flattened_chart flatten_chart(Chart chart) const
   {
-    Flattened_chart result{std::move(chart), {}, {}};
+    Flattened_chart result{std::move(chart), {}, {}, {}};
     Chart_verdict& verdict = result.verdict;
     verdict.status = policies_.parameterizer.parameterize(result.chart, execution_, result.record);
-    if (verdict.status == Chart_status::valid)
-      verdict.status = policies_.optimizer.optimize(result.chart, execution_);
+    if (verdict.status == Chart_status::valid && !policies_.repair.optimize_accepted)
+      verdict.status = optimize(result);
     if (verdict.status == Chart_status::valid) {
       give_area(result.chart);
       verdict = policies_.validator.validate(result.chart, execution_);
     }
+    if (verdict.status == Chart_status::valid && policies_.repair.optimize_accepted)
+      optimize_accepted(result);
     return result;
+  }
+
+  /// Optimises a chart, and remembers what it was like before.
+  Chart_status optimize(Flattened_chart& f) const
+  {
+    std::vector<Point_2> before = f.chart.uv;
+    const Chart_status status = policies_.optimizer.optimize(f.chart, execution_);
+    if (f.chart.uv != before)
+      f.uv_before = std::move(before);
+    return status;
+  }
+
+  /// Optimises a chart that the validator accepts; it stays as it is if the result were refused.
+  void optimize_accepted(Flattened_chart& accepted) const
+  {
+    Flattened_chart optimized = accepted;
+    if (optimize(optimized) != Chart_status::valid || optimized.uv_before.empty())
+      return;
+    give_area(optimized.chart);
+    if (policies_.validator.validate(optimized.chart, execution_).is_valid())
+      accepted = std::move(optimized);
   }
 
   /// A face that cannot be split keeps what it was refused with; where a policy failed to give it coordinates

@@ -2,16 +2,21 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_PRESETS_IMPL_H
 #define ATLAS_PIPELINE_INTERNAL_PRESETS_IMPL_H
 
+#include <Atlas/core/errors.h>
+#include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
+#include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/pipeline/presets.h>
+#include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Variational_segmentation.h>
 #include <Atlas/validation/Culprit_splitter.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include <limits>
+#include <utility>
 
 namespace Atlas {
 
@@ -20,6 +25,9 @@ namespace internal {
 /// How trial flattenings end: the decision to merge needs no more digits.
 inline constexpr int default_trial_iterations = 8;
 inline constexpr double default_trial_tolerance = 1e-3;
+
+/// The share of a page that charts cover as a rule.
+inline constexpr double usual_packing_efficiency = 0.6;
 
 /// Whether charts are optimised in a mode.
 inline Optimize_charts optimize_charts(Atlas_mode mode)
@@ -56,6 +64,7 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
   case Atlas_mode::conformal:
     return conformal_options();
   case Atlas_mode::standard:
+  case Atlas_mode::paper:
     break;
   }
   return Merge_options();
@@ -63,6 +72,9 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
 
 ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
 {
+  internal::require(mode != Atlas_mode::paper, "mode",
+                    "`paper` needs a validator: that of the paper is Stencil_validator, of the component "
+                    "Atlas::Rendering");
   const Optimize_charts optimize = internal::optimize_charts(mode);
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
   return {Merged_segmentation(Variational_segmentation(), internal::trial_parameterizer(optimize),
@@ -71,7 +83,24 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile),
           Culprit_splitter(quantile),
-          Raster_packer()};
+          Raster_packer(),
+          {}};
+}
+
+ATLAS_INLINE Policies paper_preset(Any_validator validator)
+{
+  return {Feature_segmentation::paper(),
+          LSCM_parameterizer<Paper_LSCM_traits>(),
+          Identity_optimizer(),
+          std::move(validator),
+          Culprit_splitter(),
+          Horizon_packer(),
+          Repair_options::paper()};
+}
+
+ATLAS_INLINE double area_share_of_texels(double texels, const Page_options& page)
+{
+  return texels / (internal::usual_packing_efficiency * double(page.width) * page.height);
 }
 
 } // namespace Atlas

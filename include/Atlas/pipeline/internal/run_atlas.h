@@ -29,6 +29,7 @@ struct Atlas_request
   unsigned threads = 0;
   Progress progress;
 
+  std::optional<Policies> policies; ///< those of the mode, if none; each of the following prevails
   std::optional<Any_segmentation> segmentation;
   std::optional<Any_parameterizer> parameterizer;
   std::optional<Any_optimizer> optimizer;

@@ -12,24 +12,20 @@
 
 namespace Atlas::internal {
 
-/// The share of a page that charts cover as a rule.
-inline constexpr double usual_packing_efficiency = 0.6;
-
 /// When charts merge, as the request says.
 inline Merge_options merge_options_of(const Atlas_request& request)
 {
   Merge_options options = request.merge_options.value_or(merge_options(request.mode));
   options.max_charts = request.max_charts.value_or(options.max_charts);
   if (request.min_chart_texels > 0)
-    options.min_chart_area = request.min_chart_texels /
-                             (usual_packing_efficiency * double(request.page.width) * request.page.height);
+    options.min_chart_area = area_share_of_texels(request.min_chart_texels, request.page);
   return options;
 }
 
 /// A segmentation that is given merges as it likes: who asks for something else too would not get it.
 inline void check_wishes(const Atlas_request& request)
 {
-  if (!request.segmentation)
+  if (!request.segmentation && !request.policies && request.mode != Atlas_mode::paper)
     return;
   const char* reason = "speaks to the default segmentation, but another one is given; give it to that one";
   require(!request.merge_options, "merge_options", reason);
@@ -37,10 +33,20 @@ inline void check_wishes(const Atlas_request& request)
   require(request.min_chart_texels == 0, "min_chart_texels", reason);
 }
 
+/// All policies as they are given, or those of the mode.
+inline Policies first_policies(const Atlas_request& request)
+{
+  if (request.policies)
+    return *request.policies;
+  if (request.mode == Atlas_mode::paper && request.validator)
+    return paper_preset(*request.validator);
+  return preset(request.mode, merge_options_of(request));
+}
+
 /// The policies of the mode, and those that are given in their place.
 inline Policies policies_of(const Atlas_request& request)
 {
-  Policies policies = preset(request.mode, merge_options_of(request));
+  Policies policies = first_policies(request);
   policies.segmentation = request.segmentation.value_or(policies.segmentation);
   policies.parameterizer = request.parameterizer.value_or(policies.parameterizer);
   policies.optimizer = request.optimizer.value_or(policies.optimizer);
