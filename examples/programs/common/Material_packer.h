@@ -2,8 +2,8 @@
 #ifndef MATERIAL_PACKER_H
 #define MATERIAL_PACKER_H
 
+#include <Atlas/core/Any_policies.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/pack_charts.h>
 
 #include "Material_rules.h"
@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-/// \brief The default packer under rules for materials; a chart has the material of its first face.
+/// \brief A packer under rules for materials; a chart has the material of its first face.
 ///
 /// Grouped and locked charts have the places of the file's coordinates, whatever has been done to their size
 /// and place since. Charts that have another shape than in the file are as free as all others. For
@@ -22,7 +22,7 @@ struct Material_packer
   const Atlas::Surface& surface;    ///< what the charts will come from
   const Atlas::Polygon_soup& model; ///< with the coordinates of the file
   std::vector<Material_rule> rules; ///< per material. \see `rules_of()`
-  Atlas::Packing_effort effort;
+  Atlas::Any_packer packer;
 
   Atlas::Packing pack(std::span<const Atlas::Chart> charts, const Atlas::Page_options& options,
                       const Atlas::Execution& execution) const
@@ -40,7 +40,7 @@ struct Material_packer
       page.groups.push_back(place && rule.is_grouped && !rule.is_locked ? material : Atlas::no_index);
       page.places_in_group.push_back(place.value_or(Atlas::Placement()));
     }
-    Atlas::Packing packing = Atlas::Raster_packer(effort).pack(charts, page, execution);
+    Atlas::Packing packing = packer.pack(charts, page, execution);
     if (packing.number_of_pages == 0 && !charts.empty() && !is_plain && !execution.is_cancelled())
       throw Atlas::IO_error("the page has no room for the charts, those that are locked included");
     return packing;

@@ -61,7 +61,8 @@ int run(const Arguments& arguments)
     throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
   Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
   set_weights(arguments.materials, soup, surface);
-  const Material_packer packer{surface, soup, rules_of(arguments.materials, soup), arguments.effort};
+  const Material_packer packer{surface, soup, rules_of(arguments.materials, soup),
+                               Atlas::Raster_packer(arguments.effort)};
   const Atlas::Repacked_charts repacked =
       Atlas::pack_charts(surface, soup.uv, arguments.page, packer, execution);
   if (!repacked.charts.empty() && repacked.packing.number_of_pages == 0)

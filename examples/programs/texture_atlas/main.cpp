@@ -115,7 +115,7 @@ private:
   int percent_ = -1;
 };
 
-int run(const Options& options)
+int run(Options& options)
 {
   const Patience patience(options.time_limit);
   const Stopwatch reading;
@@ -127,6 +127,8 @@ int run(const Options& options)
   std::vector<Atlas::Point_2> uv;
   const Atlas::Atlas_report report = make_atlas(options, model, input.surface, uv, std::ref(progress));
   progress.finish();
+  options.page.width = report.page_width; // where the aspect is free, another one
+  options.page.height = report.page_height;
   if (report.status == Atlas::Atlas_status::cancelled)
     return patience.say();
   if (report.status == Atlas::Atlas_status::no_surface) {

@@ -16,7 +16,10 @@ namespace {
 Atlas::Atlas_mode mode_of(const std::string& name)
 {
   using enum Atlas::Atlas_mode;
-  return name == "few-seams" ? few_seams : name == "conformal" ? conformal : standard;
+  return name == "few-seams"   ? few_seams
+         : name == "conformal" ? conformal
+         : name == "paper"     ? paper
+                               : standard;
 }
 
 Atlas::Distortion_measure measure_of(const std::string& name)
@@ -60,9 +63,13 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     merge.max_distortion = options.max_distortion;
   if (!options.measure.empty())
     merge.measure = measure_of(options.measure);
+  merge.max_charts = options.max_charts;
+  if (options.min_chart_texels > 0)
+    merge.min_chart_area = Atlas::area_share_of_texels(options.min_chart_texels, options.page);
+  const Atlas::Policies policies = policies_of(options.stages, mode, merge, options.effort);
   const auto common =
       Atlas::parameters::page_options(options.page)
-          .packer(Material_packer{surface, model, rules_of(options.materials, model), options.effort})
+          .packer(Material_packer{surface, model, rules_of(options.materials, model), policies.packer})
           .number_of_threads(options.threads)
           .progress(progress);
   set_weights(options.materials, model, surface);
@@ -78,10 +85,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     separate_materials(model, surface);
   else if (!options.materials.weights.empty())
     separate_weights(surface);
-  return Atlas::generate_atlas(surface, uv,
-                               common.mode(mode)
-                                   .merge_options(merge)
-                                   .max_charts(options.max_charts)
-                                   .min_chart_texels(options.min_chart_texels)
-                                   .hard_angle(options.hard_angle));
+  if (!options.seams.empty())
+    constrain_seams(options.seams, model, surface);
+  return Atlas::generate_atlas(surface, uv, common.policies(policies).hard_angle(options.hard_angle));
 }

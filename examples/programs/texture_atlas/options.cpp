@@ -17,8 +17,10 @@ void add_chart_options(CLI::App& app, Options& options)
   app.add_option(
          "--mode", options.mode,
          "What matters most: `standard` has few charts with low distortion, `few-seams` fewer and larger "
-         "charts with more of it, `conformal` least squares conformal maps as they are")
-      ->check(CLI::IsMember({"standard", "few-seams", "conformal"}))
+         "charts with more of it, `conformal` least squares conformal maps as they are, `paper` is Levy et "
+         "al. "
+         "2002 to the letter")
+      ->check(CLI::IsMember({"standard", "few-seams", "conformal", "paper"}))
       ->capture_default_str();
   CLI::Option* max_distortion =
       app.add_option("--max-distortion", options.max_distortion,
@@ -44,6 +46,18 @@ void add_chart_options(CLI::App& app, Options& options)
       ->check(CLI::Range(0.0, 180.0));
   app.add_flag("--separate-materials", options.separates_materials,
                "Let no chart have faces of two materials");
+  app.add_option(
+      "--seams", options.seams,
+      "A file of edges that must be seams: lines `l a b c ...` as in OBJ files, or `a b c ...`, are "
+      "chains of vertices of the mesh, counting from 1; in a file with vertices of its own (`v x y "
+      "z`) of those, which must be at the places of the mesh's");
+}
+
+void add_aspect_option(CLI::App& app, Options& options)
+{
+  app.add_flag("--free-aspect", options.page.has_free_aspect,
+               "Let the sides of the page have another ratio, with about as many texels: that at which the "
+               "charts cover most of it. Takes 17 packings. The report tells the sides");
 }
 
 /// What is done with the coordinates and faces of the file.
@@ -88,6 +102,18 @@ void add_picture_options(CLI::App& app, Options& options)
       ->allow_extra_args(false);
 }
 
+/// Refuses options that tell how charts merge where they do not.
+void check_use_of_merging(const CLI::App& app, const Options& options)
+{
+  if (options.mode != "paper" && options.stages.segmentation.empty())
+    return;
+  const std::string named =
+      options.stages.segmentation.empty() ? "--mode paper" : "--segmentation " + options.stages.segmentation;
+  for (const char* name : {"--max-distortion", "--max-charts", "--min-chart-texels"})
+    if (app.count(name) > 0)
+      throw CLI::ValidationError(name, "has no meaning with " + named + ", whose charts are not merged");
+}
+
 /// Refuses options that have no meaning with, or without, the coordinates of the file.
 void check_use_of_uv(const CLI::App& app, const Options& options)
 {
@@ -100,8 +126,10 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
       refuse(name, name, "charts have places only where those of the file are kept: add --keep-uv");
     return;
   }
-  for (const char* name : {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels",
-                           "--hard-angle", "--separate-materials"})
+  for (const char* name :
+       {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels", "--hard-angle",
+        "--separate-materials", "--seams", "--segmentation", "--parameterizer", "--solver", "--pins",
+        "--optimizer", "--validator", "--max-area-ratio"})
     refuse(name, "--keep-uv",
            std::string("the charts of the file stay as they are, so ") + name +
                " has no meaning: leave out one of the two");
@@ -126,8 +154,10 @@ void declare_options(CLI::App& app, Options& options)
       "the current directory. Of several meshes each gets a model whose name adds its own stem, `out.obj` "
       "becomes `out_<stem of MESH>.obj`, and they share all other files; default: atlas.obj");
   add_chart_options(app, options);
+  add_stage_options(app, options.stages);
   add_input_options(app, options);
   add_packing_options(app, options);
+  add_aspect_option(app, options);
   add_run_options(app, options);
   add_picture_options(app, options);
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
@@ -153,6 +183,12 @@ void complete_all(const CLI::App& app, Options& options)
                                "the name of the model must end in .obj, .glb or .ply: " + options.output);
   complete(options);
   check_use_of_uv(app, options);
+  check_use_of_merging(app, options);
+  check(options.stages);
+  if (options.page.has_free_aspect && app.count("--lock") > 0)
+    throw CLI::ValidationError("--free-aspect", "locked charts have their places on a square page");
+  if (!options.seams.empty() && options.meshes.size() > 1)
+    throw CLI::ValidationError("--seams", "speaks of the vertices of one mesh, but there are several");
 }
 
 bool Options::has(Bake bake) const

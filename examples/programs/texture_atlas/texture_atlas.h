@@ -11,6 +11,7 @@
 #include <Atlas/soup/Polygon_soup.h>
 
 #include "packing_options.h"
+#include "policies.h"
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -24,6 +25,8 @@ struct Options : Packing_options
   std::vector<std::string> meshes; ///< files to read
   std::string output, report, picture;
   std::string mode = "standard", measure;
+  Stage_names stages;
+  std::string seams;                                               ///< a file of them
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
   std::size_t max_charts = 0;
   unsigned threads = 0;
@@ -57,6 +60,9 @@ struct Input
 
 /// Reads all meshes. \throw Atlas::IO_error if one cannot be read, or lacks what has been asked for
 Input read_meshes(const Options& options);
+
+/// Makes seams of the edges in a file. \throw Atlas::IO_error if it cannot be read, or names what is no edge
+void constrain_seams(const std::string& file, const Atlas::Polygon_soup& model, Atlas::Surface& surface);
 
 /// Makes the atlas. `uv` gets the coordinates per corner of the model.
 Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,

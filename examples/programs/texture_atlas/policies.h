@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The stages of the pipeline by name.
+#ifndef POLICIES_H
+#define POLICIES_H
+
+#include <Atlas/packing/Raster_packer.h>
+#include <Atlas/pipeline/presets.h>
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+/// A name for each stage, as it is on the command line; empty: that of the mode.
+struct Stage_names
+{
+  std::string segmentation, parameterizer, solver, pins, optimizer, validator, packer;
+  double max_area_ratio = -1; ///< negative: that of the mode; 0: none
+};
+
+/// Declares the options that name stages. Names that are not known are refused with a list of those that are.
+void add_stage_options(CLI::App& app, Stage_names& names);
+
+/// Refuses combinations that cannot be. \throw CLI::ValidationError
+void check(const Stage_names& names);
+
+/// The policies of a mode, with those that are named in their places.
+Atlas::Policies policies_of(const Stage_names& names, Atlas::Atlas_mode mode,
+                            const Atlas::Merge_options& merge, Atlas::Packing_effort effort);
+
+#endif
