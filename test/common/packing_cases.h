@@ -183,7 +183,8 @@ inline Page_options random_page(Dice& dice)
   page.gutter = dice.one_of({0.0, 0.5, 1.0, 2.0, 3.0, 5.5, 8.0, 16.0});
   page.block = dice.one_of({1u, 1u, 4u});
   page.mip_levels = dice.one_in(4) ? dice.below(5) : 0;
-  page.rotation = dice.one_of({Chart_rotation::any, Chart_rotation::quarter_turns, Chart_rotation::none});
+  page.rotation = dice.one_of(
+      {Chart_rotation::aligned, Chart_rotation::any, Chart_rotation::quarter_turns, Chart_rotation::none});
   while (page.effective_gutter() > 0.2 * std::min(page.width, page.height)) {
     page.gutter /= 2;
     page.mip_levels /= 2;

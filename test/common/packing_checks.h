@@ -222,7 +222,8 @@ private:
     const double scale = weight(i) * packing_.density;
     if (!(std::abs(std::hypot(p.a, p.b) - scale) <= 1e-9 * scale))
       wrong_ << "chart " << i << " has density " << std::hypot(p.a, p.b) << " instead of " << scale << "; ";
-    const bool is_free = page_.rotation == Chart_rotation::any || page_.stacking != Chart_stacking::none;
+    const bool is_free = page_.rotation == Chart_rotation::aligned || page_.rotation == Chart_rotation::any ||
+                         page_.stacking != Chart_stacking::none;
     const bool is_turned =
         page_.rotation == Chart_rotation::none ? p.b != 0 || p.a < 0 : p.a != 0 && p.b != 0;
     if (!is_free && is_turned) // copies turn until they lie on their model

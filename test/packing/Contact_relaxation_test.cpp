@@ -18,14 +18,17 @@ struct Around_an_obstacle : testing::Test
   Obstacles obstacles;
   std::vector<Packing_shape> shapes;
   Shape_layout layout{20, std::vector<Vec2>(4, Vec2{1, 0}), {{40, 64}, {64, 90}, {88, 70}}};
-  const Relaxation_options options{side, side, 2, 1, 0.01, true, 1};
+  const Relaxation_options options{side, side, 2, 1, 0.01, 1};
 
   Around_an_obstacle()
   {
     obstacles.add(test::rectangle_chart(40, 40), Placement{1, 0, 44, 44});
-    for (const Outline& outline : outlines.charts)
-      shapes.push_back(packing_shape(outline, {0.001, 0.02, 0.02, 0.15, 20}, false));
-    shapes.push_back(packing_shape(obstacles.outlines[0], {0.01, 0.5, 0.5, 3, 20}, false));
+    for (Outline& outline : outlines.charts) {
+      outline.rotation = Chart_rotation::none; // keeps the frame
+      shapes.push_back(packing_shape(outline, {0.001, 0.02, 0.02, 0.15, 20}));
+      shapes.back().rotation = Chart_rotation::any;
+    }
+    shapes.push_back(packing_shape(obstacles.outlines[0], {0.01, 0.5, 0.5, 3, 20}));
     layout.positions.push_back(obstacles.outlines[0].centre);
   }
 

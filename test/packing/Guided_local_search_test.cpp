@@ -13,10 +13,12 @@ namespace {
 
 std::vector<Coarse_shape> coarse_shapes(const std::vector<Chart>& charts)
 {
-  const Outlines outlines = outlines_of(charts, Execution());
+  Outlines outlines = outlines_of(charts, Execution());
   std::vector<Coarse_shape> result;
-  for (const Outline& outline : outlines.charts) {
-    const Packing_shape shape = packing_shape(outline, {0.001, 0.01, 0.01, 0.01, 20}, false);
+  for (Outline& outline : outlines.charts) {
+    outline.rotation = Chart_rotation::none; // keeps the frame
+    Packing_shape shape = packing_shape(outline, {0.001, 0.01, 0.01, 0.01, 20});
+    shape.rotation = Chart_rotation::any;
     result.emplace_back().build(shape, 0.01, 0.3, 48);
   }
   return result;
@@ -95,9 +97,10 @@ std::vector<Chart> four_squares()
 
 TEST(Guided_local_search, spreads_what_has_room_and_tells_what_has_none)
 {
-  const auto shapes = coarse_shapes(four_squares());
-  const std::vector<Vec2> upright{{1, 0}};
-  Guided_local_search search(shapes, {210, 210, 0, 0, upright}, 1);
+  auto shapes = coarse_shapes(four_squares());
+  for (Coarse_shape& shape : shapes)
+    shape.rotation = Chart_rotation::none;
+  Guided_local_search search(shapes, {210, 210, 0, 0}, 1);
   Shape_layout layout = pile(100);
   EXPECT_EQ(search.solve(layout, 40, 100'000'000), 0);
   // One square to each quarter of the page.
@@ -113,8 +116,10 @@ TEST(Guided_local_search, spreads_what_has_room_and_tells_what_has_none)
 TEST(Guided_local_search, goes_around_obstacles)
 {
   auto shapes = coarse_shapes(four_squares());
+  for (Coarse_shape& shape : shapes)
+    shape.rotation = Chart_rotation::none;
   shapes[3] = shapes[3].scaled(100); // in texels
-  Guided_local_search search(shapes, {210, 210, 0, 0, {{1, 0}}, 1}, 1);
+  Guided_local_search search(shapes, {210, 210, 0, 0, 1}, 1);
   Shape_layout layout = pile(100);
   layout.positions[3] = {155, 55};
   EXPECT_EQ(search.solve(layout, 40, 100'000'000), 0);

@@ -327,6 +327,9 @@ files "${all[@]/#/ü x}"
 # Wrong command lines.
 expect 2 1
 expect 2 1 cube.obj --no-such-option
+expect 2 1 cube.obj --up w -o out/a.obj
+expect 0 0 cube.obj --up -z --snap --quiet -o out/a.obj
+rm out/*
 expect 2 1 cube.obj --texture-size 0 -o out/a.obj
 expect 2 1 cube.obj --texture-size big -o out/a.obj
 expect 2 1 cube.obj --gutter -1 -o out/a.obj
@@ -336,7 +339,7 @@ expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
 expect 0 0 --help
 for option in MESH --output --mode --max-distortion --measure --max-charts --min-chart-texels --hard-angle --separate-materials \
-  --keep-uv --texture-size --gutter --pages --density --effort --rotation --mip-levels --block --stack --weight --group --lock --report --threads \
+  --keep-uv --texture-size --gutter --pages --density --effort --rotation --up --snap --mip-levels --block --stack --weight --group --lock --report --threads \
   --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"
 done

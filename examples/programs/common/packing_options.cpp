@@ -44,8 +44,17 @@ void add_page_options(CLI::App& app, Packing_options& options)
   app.add_option("--density", page.density,
                  "Texels per unit, on as many pages as that takes. Default: the largest that fits the pages")
       ->check(CLI::PositiveNumber);
-  add_choice(app, "--rotation", page.rotation, "How charts may turn on the page",
-             {{"any", any}, {"quarter", quarter_turns}, {"none", none}});
+  add_choice(app, "--rotation", page.rotation,
+             "How charts may turn on the page. `aligned`: those with a dominant direction lie parallel to an "
+             "axis, all others as they like; `any`: as they like too, if that makes the page 2 % fuller",
+             {{"aligned", aligned}, {"any", any}, {"quarter", quarter_turns}, {"none", none}});
+  app.add_option(
+         "--up", options.up,
+         "Axis of the model that is up: charts are turned so that it is up on the page too, where they "
+         "have such a direction")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+  app.add_flag("--snap", page.snaps,
+               "Put straight borders that are parallel to an axis of the page onto borders of texels");
   app.add_option("--mip-levels", page.mip_levels,
                  "Keep charts apart down to this level of a mip-map: by 2^n texels")
       ->check(CLI::Range(0, 14))
@@ -87,6 +96,8 @@ void complete(Packing_options& options)
 {
   Atlas::Page_options& page = options.page;
   read_page_size(options.texture_size, page.width, page.height);
+  if (!options.up.empty())
+    page.up[static_cast<std::size_t>(options.up.back() - 'x')] = options.up.size() > 1 ? -1 : 1;
   if (!(page.effective_gutter() * 2 < std::min(page.width, page.height))) // not a number fails too
     throw CLI::ValidationError("--gutter", "no room for charts between gutters of " +
                                                CLI::detail::to_string(page.effective_gutter()) + " texels");

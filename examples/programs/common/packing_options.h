@@ -18,6 +18,7 @@ struct Packing_options
 {
   std::string texture_size = std::to_string(Atlas::default_texture_size);
   Atlas::Page_options page; ///< with the texture size as width and height once the options are complete
+  std::string up;           ///< an axis of the model; empty: none
   Atlas::Packing_effort effort = Atlas::Packing_effort::fast;
   Material_rules materials;
 };

@@ -87,5 +87,6 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     separate_weights(surface);
   if (!options.seams.empty())
     constrain_seams(options.seams, model, surface);
-  return Atlas::generate_atlas(surface, uv, common.policies(policies).hard_angle(options.hard_angle));
+  return Atlas::generate_atlas(surface, uv,
+                               common.policies(policies).mode(mode).hard_angle(options.hard_angle));
 }

@@ -6,6 +6,7 @@
 #include <Atlas/core/internal/library.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -18,9 +19,17 @@ inline constexpr Index default_texture_size = 1024;
 /// The default distance between charts, in texels.
 inline constexpr double default_gutter = 2;
 
+/// By how much snapping to texels may stretch a chart along an axis, as a share of its size.
+inline constexpr double max_snap_stretch = 0.02;
+/// How much farther apart charts are packed that snap to texels: each of two may move by half a diagonal.
+inline constexpr double snap_allowance = 1.4142135623730951;
+
 /// In which directions charts may be turned.
 enum class Chart_rotation {
-  any,
+  aligned,       ///< charts whose border has a dominant direction turn it parallel to an axis of the page, by
+                 ///< any of the four ways; all others as they like
+  free,          ///< as they like, whatever their borders are
+  any,           ///< as `aligned`, but all as they like where that makes the page fuller by at least 2 %
   quarter_turns, ///< by multiples of 90 degrees
   none
 };
@@ -32,19 +41,21 @@ enum class Chart_stacking {
   copies_and_mirrored ///< also charts that differ by a reflection
 };
 
-/// \brief Where a chart goes: x -> s R x + t, after a reflection (x, y) -> (x, -y) if it is mirrored, from
-/// the chart's plane to texels of its page, origin bottom left.
+/// \brief Where a chart goes: x -> D s R x + t, after a reflection (x, y) -> (x, -y) if it is mirrored, from
+/// the chart's plane to texels of its page, origin bottom left. D stretches along the axes of the page, by
+/// next to nothing.
 struct Placement
 {
   double a = 1, b = 0; ///< the rotation and scale, as the complex number a + ib
   double x = 0, y = 0; ///< the translation, in texels
   Index page = 0;
-  bool is_mirrored = false; ///< only charts stacked on one that they are a mirror image of
+  bool is_mirrored = false;            ///< only charts stacked on one that they are a mirror image of
+  double stretch_x = 1, stretch_y = 1; ///< only of charts that snap to texels
 
   Point_2 operator()(const Point_2& p) const
   {
     const double px = p.x(), py = is_mirrored ? -p.y() : p.y();
-    return Point_2(a * px - b * py + x, b * px + a * py + y);
+    return Point_2(stretch_x * (a * px - b * py) + x, stretch_y * (b * px + a * py) + y);
   }
 };
 
@@ -65,7 +76,15 @@ struct Page_options
   double density = 0; ///< texels per unit of the charts, on as many pages as that takes; 0: the largest that
                       ///< fits `pages`
 
-  Chart_rotation rotation = Chart_rotation::any;
+  Chart_rotation rotation = Chart_rotation::aligned;
+  /// What is up in space, of any length. Each chart is turned so that it is up on the page too, where the
+  /// chart has such a direction: not if it faces up or down, or goes around. Zero: no such wish.
+  std::array<double, 3> up = {0, 0, 0};
+  /// Whether straight borders that are parallel to an axis are put onto borders of texels. A chart that has
+  /// such borders on two opposite sides has both of them there, if it need not be stretched by more than
+  /// `max_snap_stretch`; else it is moved until the longest one is. Points move by half a texel at most along
+  /// each axis, and charts are packed that much farther apart.
+  bool snaps = false;
   Chart_stacking stacking = Chart_stacking::none;
   std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
   std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places and move as one;
@@ -83,12 +102,12 @@ struct Page_options
   bool has_free_aspect = false;
 
   /// The distance that is kept between charts, with mip levels and blocks: two points of one block are nearer
-  /// than its diagonal.
+  /// than its diagonal. With what charts that snap to texels may come nearer.
   double effective_gutter() const
   {
     const double texels_at_level = mip_levels > 0 ? std::ldexp(1.0, static_cast<int>(mip_levels)) : 0;
     const double diagonal = block > 1 ? std::sqrt(2.0) * block : 0;
-    return std::max({gutter, texels_at_level, diagonal});
+    return std::max({gutter, texels_at_level, diagonal}) + (snaps ? snap_allowance : 0);
   }
 };
 
@@ -106,8 +125,8 @@ inline constexpr Index max_pages = 8999;
 /// \throws Invalid_argument that names the member of `Page_options` unless: `width` and `height` are in [1,
 /// 65536]; the gutter is finite, not negative and, with mip levels and blocks, less than half of the smaller
 /// side; `mip_levels` is at most 16, `block` 4096, `pages` in [1, 8999]; `density` is finite and not
-/// negative; weights are positive and finite; and places are finite, those of locked charts on pages with a
-/// number.
+/// negative; `up` is finite; weights are positive and finite; and places are finite, those of locked charts
+/// on pages with a number.
 void check(const Page_options& page);
 
 /// \brief Refuses what cannot be for so many charts: also lists that are neither empty nor of that length.

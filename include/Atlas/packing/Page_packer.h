@@ -38,6 +38,7 @@ struct Page_piece
                                                               ///< border alone does not tell what is inside
   double area = 0;                                            ///< sum of the areas of the triangles
   double radius = 0;                                          ///< largest distance of a point from the origin
+  Chart_rotation rotation = Chart_rotation::any; ///< how it may be turned; `any`, `quarter_turns` or `none`
 
   /// The lower left and the upper right corner of the bounding box, not turned. O(points).
   std::array<std::complex<double>, 2> box() const;
@@ -59,7 +60,6 @@ struct Page_task
   double gutter = 0;                    ///< least distance between two pieces, in texels
   double margin = 0; ///< what a piece is to keep from the border, and half of what two are to keep from each
                      ///< other: half of the gutter, and what rounding to single precision may cost
-  Chart_rotation rotation = Chart_rotation::any;
   double most_scale = std::numeric_limits<double>::infinity(); ///< larger scales are not wanted
 
   /// No scale above this is wanted or can fit: pieces would fill the page, or the largest would stick out.
@@ -72,7 +72,7 @@ struct Page_layout
 {
   double scale = 0;                        ///< texels per unit of the pieces; in (0, `most_scale`]
   double margin = 0;                       ///< what is kept, if not what was asked for; in texels
-  std::vector<std::complex<double>> turns; ///< per piece: of absolute value 1, as the rotation rule allows
+  std::vector<std::complex<double>> turns; ///< per piece: of absolute value 1, as its rotation rule allows
   std::vector<std::complex<double>> positions; ///< per piece: where its origin is, in texels
 };
 

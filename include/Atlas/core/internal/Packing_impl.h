@@ -71,6 +71,8 @@ ATLAS_INLINE void check(const Page_options& page)
                                          std::to_string(page.height) +
                                          " texels, but with mip levels and blocks it is " +
                                          std::to_string(gutter));
+  for (const double coordinate : page.up)
+    internal::require(std::isfinite(coordinate), "up", "must be finite");
   internal::check_lists(page);
 }
 

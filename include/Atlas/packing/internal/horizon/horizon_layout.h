@@ -52,14 +52,13 @@ inline Vec2 upright(Vec2 direction, Chart_rotation rotation)
 }
 
 /// Per chart the turn that stands it upright: by its diameter, or by the longer side of its least rectangle.
-inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source,
-                                       Chart_rotation rotation)
+inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source source)
 {
   std::vector<Vec2> turns(outlines.size(), Vec2{1, 0});
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const std::vector<Vec2> hull = convex_hull(outlines.charts[i].points);
     if (source == Horizon_source::outline) {
-      turns[i] = upright(diameter(hull), rotation);
+      turns[i] = upright(diameter(hull), outlines.charts[i].rotation);
       continue;
     }
     Vec2 e = least_rectangle_direction(hull);
@@ -72,7 +71,7 @@ inline std::vector<Vec2> upright_turns(const Outlines& outlines, Horizon_source 
       return high - low;
     };
     const Vec2 across{-e.y, e.x};
-    turns[i] = upright(extent(e) >= extent(across) ? e : across, rotation);
+    turns[i] = upright(extent(e) >= extent(across) ? e : across, outlines.charts[i].rotation);
   }
   return turns;
 }
@@ -100,7 +99,7 @@ inline std::vector<Index> by_height(const Outlines& outlines, const std::vector<
 inline std::optional<Layout> horizon_layout(const Outlines& outlines, const Page_task& page,
                                             Horizon_source source, const Execution& execution)
 {
-  const std::vector<Vec2> turns = upright_turns(outlines, source, page.rotation);
+  const std::vector<Vec2> turns = upright_turns(outlines, source);
   std::vector<Index> order = by_height(outlines, turns);
   std::erase_if(order, [&](Index i) { return outlines.charts[i].is_empty(); });
   std::vector<Horizon_shape> shapes(outlines.size());

@@ -36,6 +36,7 @@ struct Obstacles
       placed.uv.push_back(placement(p));
     Outline outline;
     outline.centre = extent_of(placed).centre;
+    outline.rotation = Chart_rotation::none;
     build_outline(placed, 1, outline);
     if (!outline.is_empty())
       outlines.push_back(std::move(outline));

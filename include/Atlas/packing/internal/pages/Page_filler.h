@@ -117,7 +117,6 @@ private:
     result.height = page_.height;
     result.gutter = page_.gutter;
     result.margin = page_.gutter / 2 + rounding_margin(page_.width, page_.height);
-    result.rotation = page_.rotation;
     result.most_scale = scale;
     return result;
   }

@@ -6,6 +6,8 @@
 #include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/internal/pages/Page_filler.h>
 #include <Atlas/packing/internal/pages/packing_pieces.h>
+#include <Atlas/packing/internal/pages/snap_to_texels.h>
+#include <Atlas/packing/internal/shapes/chart_poses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -29,6 +32,8 @@ inline bool is_turn(std::complex<double> turn, Chart_rotation rotation)
   if (!(std::abs(std::abs(turn) - 1) <= turn_tolerance))
     return false;
   switch (rotation) {
+  case Chart_rotation::aligned:
+  case Chart_rotation::free:
   case Chart_rotation::any:
     return true;
   case Chart_rotation::quarter_turns:
@@ -111,6 +116,52 @@ inline void check_margins(const Any_page_engine& engine, const Outlines& outline
   }
 }
 
+/// Pieces in their poses, and the pages they fill; none if there is no room.
+struct Filled_pages
+{
+  Outlines outlines;
+  std::optional<std::vector<Filled_page>> pages;
+};
+
+/// How much fuller the first pages are, as a factor.
+inline double gain(const Filled_pages& a, const Filled_pages& b)
+{
+  if (!a.pages || !b.pages)
+    return a.pages ? HUGE_VAL : 0;
+  const auto scale = [](const Filled_pages& filled) {
+    double least = HUGE_VAL;
+    for (const Filled_page& page : *filled.pages)
+      if (!page.pieces.empty())
+        least = std::min(least, page.layout.scale);
+    return least;
+  };
+  const double ratio = scale(a) / scale(b);
+  return ratio * ratio * double(b.pages->size()) / double(a.pages->size());
+}
+
+/// Gives up alignment of charts only if pages are fuller by this factor then.
+inline constexpr double least_gain = 1.02;
+
+/// Puts pieces on pages, aligned with them as `page` says.
+inline Filled_pages fill_pages(std::span<const Chart> pieces, const Obstacles_of_pages& obstacles,
+                               const Page_options& page, const Any_page_engine& engine,
+                               const Execution& execution)
+{
+  const auto fill = [&](Outlines outlines) {
+    const Page_filler filler(outlines, obstacles, page, engine, execution);
+    auto pages = page.density > 0 ? filler.fill(page.density / outlines.unit) : filler.spread();
+    return Filled_pages{std::move(outlines), std::move(pages)};
+  };
+  const Outlines plain = outlines_of(pieces, execution);
+  Outlines outlines = plain;
+  const bool is_any_aligned = take_poses(outlines, pieces, page, execution);
+  Filled_pages result = fill(std::move(outlines));
+  if (page.rotation == Chart_rotation::any && is_any_aligned)
+    if (Filled_pages other = fill(free_again(plain, result.outlines)); gain(other, result) >= least_gain)
+      result = std::move(other);
+  return result;
+}
+
 } // namespace internal
 
 ATLAS_INLINE std::optional<Page_layout> Any_page_engine::lay_out(const Page_task& task,
@@ -132,7 +183,7 @@ ATLAS_INLINE std::optional<Page_layout> Any_page_engine::lay_out(const Page_task
   if (!(layout->margin >= 0 && std::isfinite(layout->margin)))
     fail("returned a margin of " + std::to_string(layout->margin));
   for (std::size_t i = 0; i < n; ++i) {
-    if (!internal::is_turn(layout->turns[i], task.rotation))
+    if (!internal::is_turn(layout->turns[i], task.pieces[i].rotation))
       fail("turned piece " + std::to_string(i) + " by what is no turn, or not allowed");
     if (!internal::is_finite_number(layout->positions[i]))
       fail("put piece " + std::to_string(i) + " where coordinates are not finite");
@@ -155,14 +206,12 @@ ATLAS_INLINE Packing Page_packer::pack(std::span<const Chart> charts, const Page
   std::vector<Chart> free_charts;
   const Obstacles_of_pages obstacles = set_apart(charts, options, free_charts);
   const Packing_pieces pieces(free_charts.empty() ? charts : free_charts, options, execution);
-  const Outlines outlines = outlines_of(pieces.charts(), execution);
   Packing packing;
   packing.placements.resize(charts.size());
   if (charts.empty())
     return packing;
 
-  const Page_filler filler(outlines, obstacles, page, engine_, execution);
-  const auto pages = options.density > 0 ? filler.fill(options.density / outlines.unit) : filler.spread();
+  const auto [outlines, pages] = fill_pages(pieces.charts(), obstacles, page, engine_, execution);
   if (!pages)
     return packing;
   if (!execution.is_cancelled())
@@ -170,7 +219,12 @@ ATLAS_INLINE Packing Page_packer::pack(std::span<const Chart> charts, const Page
   packing.gutter = page.gutter;
   packing.density = options.density > 0 ? options.density : 1; // if there is nothing to pack
   packing.number_of_pages = obstacles.empty() ? 1 : obstacles.rbegin()->first + 1;
-  const std::vector<Placement> placements = placements_of(outlines, *pages, page, packing);
+  std::vector<Placement> placements = placements_of(outlines, *pages, page, packing);
+  if (options.snaps && packing.gutter >= snap_allowance) {
+    execution.for_each(placements.size(),
+                       [&](std::size_t i) { placements[i] = snapped(pieces.charts()[i], placements[i]); });
+    packing.gutter = std::max(0.0, packing.gutter - snap_allowance);
+  }
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const bool is_locked = !options.locked.empty() && options.locked[i];
     packing.placements[i] = is_locked ? *options.locked[i] : pieces.placement(i, placements);

@@ -45,15 +45,13 @@ public:
         numbers_.push_back(i);
     const double side = std::sqrt(double(page.width) * page.height);
     pixel_ = side / std::max(160.0, 9 * std::sqrt(static_cast<double>(numbers_.size())));
-    const bool may_turn = page.rotation == Chart_rotation::any;
-    turns_ = rotations(may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
     const double scale = scale_bound(outlines.charts, page.width, page.height);
     shapes_.resize(numbers_.size());
     execution.for_each(shapes_.size(), [&](std::size_t i) {
-      shapes_[i] = packing_shape(outlines.charts[numbers_[i]], resolution(scale), may_turn);
+      shapes_[i] = packing_shape(outlines.charts[numbers_[i]], resolution(scale));
     });
     for (const Outline& outline : obstacles.outlines) {
-      obstacle_shapes_.push_back(packing_shape(outline, obstacle_resolution(resolution(1), outline), false));
+      obstacle_shapes_.push_back(packing_shape(outline, obstacle_resolution(resolution(1), outline)));
       obstacle_centres_.push_back(outline.centre);
     }
     order_.resize(shapes_.size());
@@ -70,7 +68,7 @@ public:
     const double grown = margin + 0.9 * pixel_;
     Raster_frame frame(page_->width, page_->height, pixel_);
     draw_obstacles(frame, obstacle_shapes_, obstacle_centres_, grown);
-    const Raster_masks masks(shapes_, turns_, scale, frame.pixel, grown, *execution_);
+    const Raster_masks masks(shapes_, 16, scale, frame.pixel, grown, *execution_);
     std::vector<Index> order = order_;
     std::uint64_t work = 0;
     const auto found = build_on_raster(masks, frame, scale, order, 2, work);
@@ -105,7 +103,6 @@ private:
   std::vector<Index> numbers_; ///< of the outlines that are not empty
   std::vector<Packing_shape> shapes_, obstacle_shapes_;
   std::vector<Vec2> obstacle_centres_;
-  std::vector<Vec2> turns_;
   std::vector<Index> order_;
   double pixel_ = 1;
 };

@@ -27,6 +27,7 @@ inline Page_piece page_piece(const Outline& outline)
     piece.triangles.push_back({to_complex(a), to_complex(b), to_complex(c)});
   piece.area = outline.area;
   piece.radius = outline.radius;
+  piece.rotation = outline.rotation;
   return piece;
 }
 
@@ -43,6 +44,7 @@ inline Outline outline_of(const Page_piece& piece)
     outline.triangles.push_back({to_vector(a), to_vector(b), to_vector(c)});
   outline.area = piece.area;
   outline.radius = piece.radius;
+  outline.rotation = piece.rotation;
   find_seeds(outline);
   return outline;
 }

@@ -41,37 +41,43 @@ inline std::vector<Vec2> rotations(Index n)
   return result;
 }
 
+/// The turns that are tried of a shape, of so many if it may turn freely.
+inline std::vector<Vec2> turns_of(Chart_rotation rotation, Index n)
+{
+  return rotations(rotation == Chart_rotation::none ? 1 : rotation == Chart_rotation::quarter_turns ? 4 : n);
+}
+
 /// The masks of all shapes at some turns, made once for a size of pixel relative to the charts. The scale of
 /// a layout is then that of its page: the fewer pixels, the larger the charts.
 class Raster_masks
 {
 public:
+  /// \param turns  number of turns of a shape that may turn freely
   /// \param pixel  side of a pixel at `scale`, in texels
   /// \param grow   what shapes are grown by, in texels
-  Raster_masks(std::span<const Packing_shape> shapes, std::vector<Vec2> turns, double scale, double pixel,
-               double grow, const Execution& execution)
-      : turns_(std::move(turns)), scale_(scale), pixel_(pixel), masks_(shapes.size() * turns_.size())
+  Raster_masks(std::span<const Packing_shape> shapes, Index turns, double scale, double pixel, double grow,
+               const Execution& execution)
+      : scale_(scale), pixel_(pixel), turns_(shapes.size()), masks_(shapes.size())
   {
     execution.for_each(shapes.size(), [&](std::size_t i) {
       std::uint64_t work = 0;
-      for (std::size_t r = 0; r < turns_.size(); ++r)
-        make_mask(shapes[i], scale, turns_[r], grow, pixel, masks_[i * turns_.size() + r], work);
+      turns_[i] = turns_of(shapes[i].rotation, turns);
+      masks_[i].resize(turns_[i].size());
+      for (std::size_t r = 0; r < turns_[i].size(); ++r)
+        make_mask(shapes[i], scale, turns_[i][r], grow, pixel, masks_[i][r], work);
     });
   }
 
-  std::size_t number_of_shapes() const { return masks_.size() / turns_.size(); }
-  const std::vector<Vec2>& turns() const { return turns_; }
-  const Raster_mask& mask(std::size_t shape, std::size_t turn) const
-  {
-    return masks_[shape * turns_.size() + turn];
-  }
+  std::size_t number_of_shapes() const { return masks_.size(); }
+  const std::vector<Vec2>& turns(std::size_t shape) const { return turns_[shape]; }
+  const Raster_mask& mask(std::size_t shape, std::size_t turn) const { return masks_[shape][turn]; }
   /// The side of a pixel, in texels, when charts have that scale.
   double pixel(double scale) const { return pixel_ * scale / scale_; }
 
 private:
-  std::vector<Vec2> turns_;
   double scale_, pixel_;
-  std::vector<Raster_mask> masks_;
+  std::vector<std::vector<Vec2>> turns_;        ///< per shape
+  std::vector<std::vector<Raster_mask>> masks_; ///< per shape and turn
 };
 
 /// A raster page somewhere on a page of texels.
@@ -125,7 +131,7 @@ inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, co
                                                    double scale, std::vector<Index>& order, int tries,
                                                    std::uint64_t& work)
 {
-  const std::size_t n = masks.number_of_shapes(), turns = masks.turns().size();
+  const std::size_t n = masks.number_of_shapes();
   const bool is_banded = n > 300;
   Raster_frame frame = empty;
   Shape_layout layout{scale, std::vector<Vec2>(n, Vec2{1, 0}), std::vector<Vec2>(n)};
@@ -134,7 +140,7 @@ inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, co
     Raster_page::Place best;
     double best_score = -HUGE_VAL;
     std::size_t best_turn = 0;
-    for (std::size_t r = 0; r < turns; ++r) {
+    for (std::size_t r = 0; r < masks.turns(i).size(); ++r) {
       const Raster_mask& mask = masks.mask(i, r);
       const auto found = is_banded
                              ? frame.page.search(mask, hints.first_row(mask), mask.height / 2 + 2, -1, work)
@@ -153,7 +159,7 @@ inline std::optional<Shape_layout> build_on_raster(const Raster_masks& masks, co
     const Raster_mask& mask = masks.mask(i, best_turn);
     frame.page.put(mask, best.x, best.y);
     hints.note(mask, best.y);
-    layout.turns[i] = masks.turns()[best_turn];
+    layout.turns[i] = masks.turns(i)[best_turn];
     layout.positions[i] = frame.position(mask, best);
     return true;
   };

@@ -76,10 +76,10 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, con
     const Outline& outline = *problem.outlines[i];
     if (i >= problem.movable) {
       problem.shapes[i] =
-          packing_shape(outline, obstacle_resolution(search_resolution(problem, side, 1), outline), false);
+          packing_shape(outline, obstacle_resolution(search_resolution(problem, side, 1), outline));
       return;
     }
-    problem.shapes[i] = packing_shape(outline, resolution, problem.may_turn);
+    problem.shapes[i] = packing_shape(outline, resolution);
     Vec2& turn = problem.fallback.turns[i];
     turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
   });
@@ -90,8 +90,6 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, con
     const double unit = i < problem.movable ? scale : 1;
     problem.coarse[i].build(problem.shapes[i], 0.007 * side / unit, 0.2 * side / unit, 48);
   });
-  if (!problem.may_turn)
-    problem.allowed_turns = problem.turns;
 }
 
 /// What searches need to know: shapes of the outlines that are not empty, and of the obstacles, as fine as
@@ -117,19 +115,14 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles
   problem.height = page.height;
   problem.gutter = 2 * fallback.margin;
   problem.tolerance = 0.05;
-  problem.may_turn = page.rotation == Chart_rotation::any;
-  problem.turns = rotations(problem.may_turn ? 16 : page.rotation == Chart_rotation::none ? 1 : 4);
 
   const double side = std::sqrt(problem.width * problem.height);
   const double scale = likely_scale(outlines, side, fallback.scale);
   make_shapes(problem, side, scale, execution);
   if (execution.is_cancelled())
     return problem;
-  const std::vector<Vec2> turns = rotations(problem.may_turn                        ? 8
-                                            : page.rotation == Chart_rotation::none ? 1
-                                                                                    : 4);
-  problem.masks.emplace(problem.movables(), turns, scale,
-                        problem.pixel() * scale / problem.scale_of_share(0.8), problem.grown(), execution);
+  problem.masks.emplace(problem.movables(), 8, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
+                        problem.grown(), execution);
   return problem;
 }
 

@@ -24,8 +24,7 @@ struct Relaxation_options
   double gutter = 0;            ///< wanted between charts, in texels
   double border = 0;            ///< wanted to the border of the page
   double tolerance = 0.02;      ///< what the gutter may be violated by, in texels
-  bool may_turn = true;
-  std::size_t obstacles = 0; ///< so many of the last shapes stay where they are, at scale 1
+  std::size_t obstacles = 0;    ///< so many of the last shapes stay where they are, at scale 1
 };
 
 /// Shapes on a page that push each other and the border away until they keep the gutter.
@@ -133,7 +132,7 @@ private:
       return {layout_.positions[i]};
     const Packing_shape& shape = (*shapes_)[i];
     return {layout_.positions[i], 1 / shape.mass,
-            options_.may_turn ? 1 / (shape.inertia * layout_.scale * layout_.scale) : 0};
+            shape.may_turn() ? 1 / (shape.inertia * layout_.scale * layout_.scale) : 0};
   }
 
   void apply(Index i, Contact_motion m)

@@ -23,7 +23,6 @@ struct Overlap_options
   double width = 0, height = 0; ///< of the page in texels
   double gutter = 0;            ///< wanted between shapes, in texels
   double border = 0;            ///< kept to the border of the page
-  std::vector<Vec2> turns = {}; ///< those allowed; empty: any
   std::size_t obstacles = 0;    ///< so many of the last shapes stay where they are, at scale 1
 };
 
@@ -95,6 +94,7 @@ private:
     double turn = 0;
   };
 
+  bool may_turn(Index i) const { return shape(i).rotation == Chart_rotation::any; }
   const Coarse_shape& shape(Index i) const { return i < movable_ ? (*shapes_)[i] : obstacles_[i - movable_]; }
 
   static Vec2 turn_by(double angle) { return {std::cos(2 * M_PI * angle), std::sin(2 * M_PI * angle)}; }
@@ -247,11 +247,12 @@ private:
   Pose random_pose(Index i)
   {
     Pose pose{{uniform() * options_.width, uniform() * options_.height}, {}, 0};
-    if (options_.turns.empty()) {
+    if (may_turn(i)) {
       pose.angle = uniform();
       pose.turn = turn_by(pose.angle);
     } else {
-      pose.turn = options_.turns[random_() % options_.turns.size()];
+      const std::vector<Vec2>& turns = shape(i).rotation == Chart_rotation::none ? no_turn_ : quarter_turns_;
+      pose.turn = turns[random_() % turns.size()];
       pose.angle = angle_of(pose.turn);
     }
     return confined(i, pose);
@@ -263,7 +264,7 @@ private:
     const double reach = 0.5 * shape(i).radius * scale_;
     Pose next = pose;
     next.position = next.position + reach * Vec2{2 * uniform() - 1, 2 * uniform() - 1};
-    if (options_.turns.empty()) {
+    if (may_turn(i)) {
       next.angle += 0.08 * (2 * uniform() - 1);
       next.turn = turn_by(next.angle);
     }
@@ -306,14 +307,14 @@ private:
     double share = 1;
     Gradient at = gradient(i, best.second);
     for (int k = 0; k < 8 && best.first > 0 && share > 0.1; ++k) {
-      const double turn = options_.turns.empty() ? at.turn / arm : 0;
+      const double turn = may_turn(i) ? at.turn / arm : 0;
       const double square = dot(at.shift, at.shift) + turn * turn;
       if (!(square > 0))
         return;
       const double step = share * std::min(at.loss / square, longest / std::sqrt(square));
       Pose pose = best.second;
       pose.position = pose.position - step * at.shift;
-      if (options_.turns.empty()) {
+      if (may_turn(i)) {
         pose.angle -= step * turn / (2 * M_PI * arm);
         pose.turn = turn_by(pose.angle);
       }
@@ -365,6 +366,7 @@ private:
 
   const std::vector<Coarse_shape>* shapes_;
   Overlap_options options_;
+  std::vector<Vec2> quarter_turns_ = rotations(4), no_turn_ = rotations(1);
   std::size_t movable_;                 ///< shapes; the others are obstacles
   std::vector<Coarse_shape> obstacles_; ///< in the unit of the shapes
   std::mt19937_64 random_;

@@ -27,11 +27,8 @@ struct Packing_problem
   double gutter = 0;     ///< to be kept exactly
   double tolerance = 0;  ///< of simplification, in texels
   Shape_layout fallback; ///< layouts of a smaller scale are of no use. Layouts have obstacles too
-  std::vector<Vec2> turns;
-  bool may_turn = true;
   std::optional<Raster_masks> masks;
   std::vector<Coarse_shape> coarse; ///< none with very many shapes
-  std::vector<Vec2> allowed_turns;  ///< empty: any
 
   std::span<const Packing_shape> movables() const { return std::span(shapes).first(movable); }
   std::span<const Packing_shape> obstacles() const { return std::span(shapes).subspan(movable); }

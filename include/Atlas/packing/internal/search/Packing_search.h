@@ -35,11 +35,10 @@ public:
         empty_(problem.empty_page(problem.pixel())), frame_(empty_),
         relaxation_(problem.shapes,
                     {problem.width, problem.height, problem.gutter + 2 * problem.tolerance + 2 * slack(),
-                     problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.may_turn,
-                     problem.obstacles().size()}),
+                     problem.gutter / 2 + problem.tolerance + slack(), slack(), problem.obstacles().size()}),
         overlap_(problem.coarse,
                  {problem.width, problem.height, problem.gutter - problem.leniency(),
-                  problem.gutter / 2 + problem.tolerance, problem.allowed_turns, problem.obstacles().size()},
+                  problem.gutter / 2 + problem.tolerance, problem.obstacles().size()},
                  987654 + 104729 * number)
   {}
 
@@ -333,12 +332,14 @@ private:
     frame_ = empty_;
     draw_on_raster(frame_, p.movables(), layout, is_out, p.grown(), work_);
     const double angle = 2 * M_PI * uniform();
-    const Vec2 twist = p.may_turn ? Vec2{std::cos(angle), std::sin(angle)} : Vec2{1, 0};
+    const Vec2 any_twist{std::cos(angle), std::sin(angle)};
     for (const Index i : out) {
       bool is_placed = false;
+      const std::vector<Vec2> turns = turns_of(p.shapes[i].rotation, 16);
+      const Vec2 twist = p.shapes[i].may_turn() ? any_twist : Vec2{1, 0};
       for (double erosion = 0; erosion <= 4 && !is_placed; erosion += 0.75)
-        is_placed = insert_on_raster(frame_, p.shapes[i], i, p.turns, twist,
-                                     p.grown() - erosion * frame_.pixel, layout, work_);
+        is_placed = insert_on_raster(frame_, p.shapes[i], i, turns, twist, p.grown() - erosion * frame_.pixel,
+                                     layout, work_);
       if (!is_placed)
         return false;
     }

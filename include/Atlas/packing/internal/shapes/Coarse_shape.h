@@ -35,6 +35,7 @@ struct Coarse_shape
   std::vector<Cluster> clusters;            ///< that of the largest disc first
   std::array<double, directions> support{}; ///< extent of the shape in these directions
   double radius = 0;
+  Chart_rotation rotation = Chart_rotation::any;
 
   /// The signed distance from the shape, negative inside, interpolated.
   float distance(float x, float y) const
@@ -100,6 +101,7 @@ struct Coarse_shape
   void build(const Packing_shape& shape, double detail, double pad, std::size_t most_discs)
   {
     radius = shape.radius;
+    rotation = shape.rotation;
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * M_PI * k / directions;
       double& s = support[k];

@@ -27,12 +27,14 @@ struct Outline
   std::vector<std::array<Index, 2>> segments; ///< those of the border first, the inside on their left
   std::size_t number_of_border_segments = 0;
   int orientation = 0; ///< 1: the triangles are counterclockwise, -1: clockwise, 0: both or degenerate
-  std::vector<std::array<Vec2, 3>> triangles; ///< only of folded charts, whose border alone does not tell
-                                              ///< what is inside
-  std::vector<Index> seeds;                   ///< one point of each connected part of the segments
-  Vec2 centre;                                ///< of gravity, in the chart's own coordinates
-  double area = 0;                            ///< sum of the areas of the triangles
-  double radius = 0;                          ///< largest distance of a point from the centre
+  std::vector<std::array<Vec2, 3>> triangles;    ///< only of folded charts, whose border alone does not tell
+                                                 ///< what is inside
+  std::vector<Index> seeds;                      ///< one point of each connected part of the segments
+  Vec2 centre;                                   ///< of gravity, in the chart's own coordinates
+  double area = 0;                               ///< sum of the areas of the triangles
+  double radius = 0;                             ///< largest distance of a point from the centre
+  Vec2 pose{1, 0};                               ///< the turn of the chart in which this is its outline
+  Chart_rotation rotation = Chart_rotation::any; ///< how it may turn from there
 
   bool is_empty() const { return points.empty(); }
 };
@@ -46,11 +48,11 @@ struct Outlines
 
   std::size_t size() const { return charts.size(); }
 
-  /// The placement that scales the outline `i` by `scale`, turns it by the unit complex number `turn`, and
-  /// moves its centre to `position`.
+  /// The placement that takes chart `i` to its pose, scales its outline by `scale`, turns it by the unit
+  /// complex number `turn`, and moves its centre to `position`.
   Placement placement(std::size_t i, double scale, Vec2 turn, Vec2 position, Index page = 0) const
   {
-    const Vec2 r = (scale * unit) * turn;
+    const Vec2 r = (scale * unit) * rotated(turn, charts[i].pose);
     const Vec2 t = position - rotated(r, charts[i].centre);
     return {r.x, r.y, t.x, t.y, page};
   }

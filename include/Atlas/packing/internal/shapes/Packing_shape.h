@@ -46,6 +46,9 @@ struct Packing_shape
   double area = 0, mass = 0, inertia = 0, radius = 0;
   double width = 0, height = 0; ///< of the bounding rectangle
   double perimeter = 0;
+  Chart_rotation rotation = Chart_rotation::any;
+
+  bool may_turn() const { return rotation == Chart_rotation::any; }
 };
 
 /// Builds the nodes over samples [begin, end).
@@ -88,10 +91,10 @@ inline void add_samples(Packing_shape& shape, const std::vector<Vec2>& points,
 }
 
 /// Turns the outline into its frame: sets the frame, the hull and the bounding rectangle. Gives the points.
-inline std::vector<Vec2> set_frame(Packing_shape& shape, const Outline& outline, bool is_turned)
+inline std::vector<Vec2> set_frame(Packing_shape& shape, const Outline& outline)
 {
   const std::vector<Vec2> hull = convex_hull(outline.points);
-  if (is_turned) {
+  if (shape.may_turn()) {
     const Vec2 e = least_rectangle_direction(hull);
     shape.frame = {e.x, -e.y};
   }
@@ -144,11 +147,12 @@ inline std::size_t add_segments(Packing_shape& shape, const Outline& outline, co
   return border;
 }
 
-/// The shape of an outline that is not empty. `is_turned` lets the frame differ from the outline's.
-inline Packing_shape packing_shape(const Outline& outline, const Shape_resolution& resolution, bool is_turned)
+/// The shape of an outline that is not empty. Its frame differs from the outline's if it may turn freely.
+inline Packing_shape packing_shape(const Outline& outline, const Shape_resolution& resolution)
 {
   Packing_shape shape;
-  const std::vector<Vec2> points = set_frame(shape, outline, is_turned);
+  shape.rotation = outline.rotation;
+  const std::vector<Vec2> points = set_frame(shape, outline);
   const std::size_t border = add_segments(shape, outline, points, resolution);
   if (outline.orientation != 0 && border == shape.set.segments.size())
     shape.set.orient(outline.orientation);
