@@ -7,10 +7,12 @@
 #include <Atlas/packing/internal/pages/least_page.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_flattener.h>
+#include <Atlas/pipeline/internal/Repeated_parts.h>
 #include <Atlas/pipeline/internal/normalize.h>
 #include <Atlas/pipeline/internal/round_coordinates.h>
 #include <Atlas/pipeline/internal/run_atlas.h>
 #include <Atlas/pipeline/internal/separate_cut_sides.h>
+#include <Atlas/pipeline/internal/straighten_borders.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/validation/certify.h>
 
@@ -35,10 +37,13 @@ public:
   static constexpr int maximal_page_rounds = 6;
 
   /// \param policies  must outlive this object
-  Atlas_pipeline(const Surface& input, const Policies& policies, const Page_options& page, unsigned threads,
-                 Progress progress)
+  /// \param shared    which parts of the surface that are copies of others get the same charts
+  Atlas_pipeline(const Surface& input, const Policies& policies, const Page_options& page,
+                 Chart_stacking shared, unsigned threads, Progress progress)
       : surface_(input), model_(normalize(surface_)), policies_(policies), page_(page), execution_(threads),
-        progress_(std::move(progress)), flattener_(surface_, segmentation_, policies, execution_)
+        progress_(std::move(progress)), parts_(surface_, shared),
+        charted_(parts_.is_empty() ? surface_ : parts_.models()),
+        flattener_(charted_, charted_segmentation_, policies, execution_)
   {
     page_.density *= model_.unit;
   }
@@ -84,6 +89,7 @@ private:
     report_.page_height = page_.height;
     report_.gutter = page_.gutter;
     report_.area = area_3d(surface_);
+    charted_area_ = parts_.is_empty() ? report_.area : area_3d(charted_);
     report_.bound = policies_.segmentation.bound().value_or(Distortion_bound());
   }
 
@@ -107,20 +113,35 @@ private:
   /// On rounded positions, so that models that are equal but for their scale have the same charts.
   void segment()
   {
-    std::vector<Point_3> positions = positions_on_grid(surface_, model_.largest_side);
-    std::swap(surface_.points, positions);
-    segmentation_ = policies_.segmentation.segment(surface_, execution_);
-    report_.segmented_charts = segmentation_.number_of_charts;
+    std::vector<Point_3> positions = positions_on_grid(charted_, model_.largest_side);
+    std::swap(charted_.points, positions);
+    charted_segmentation_ = policies_.segmentation.segment(charted_, execution_);
+    report_.segmented_charts = charted_segmentation_.number_of_charts;
     if (!execution_.is_cancelled())
-      cut_to_discs(surface_, segmentation_, execution_);
-    std::swap(surface_.points, positions);
+      cut_to_discs(charted_, charted_segmentation_, execution_);
+    std::swap(charted_.points, positions);
+  }
+
+  /// Sets charts and segmentation to those of the whole surface.
+  void collect_charts()
+  {
+    if (!parts_.is_empty()) {
+      segmentation_ = parts_.expand(surface_, charted_segmentation_, charted_chart_);
+      charts_ = parts_.expand(surface_, segmentation_, flattener_.charts());
+      return;
+    }
+    segmentation_ = charted_segmentation_;
+    charts_.clear();
+    charted_chart_.clear();
+    for (const Flattened_chart& f : flattener_.charts()) {
+      charted_chart_.push_back(static_cast<Index>(charts_.size()));
+      charts_.push_back(f.chart);
+    }
   }
 
   void pack()
   {
-    charts_.clear();
-    for (const Flattened_chart& f : flattener_.charts())
-      charts_.push_back(f.chart);
+    collect_charts();
     if (!surface_.density_weight.empty())
       page_.weights = chart_weights();
     if (std::exchange(page_.has_free_aspect, false))
@@ -139,6 +160,7 @@ private:
         const Point_2 texel = packing_.placements[i](p);
         p = turned_over(i, Point_2(texel.x() / page_.width, texel.y() / page_.height));
       }
+      straighten_borders(charts_[i]);
       rounding_faults_[i] = Grid_rounding(charts_[i])();
       Cut_side_separator(surface_, segmentation_, charts_[i])();
     });
@@ -177,7 +199,7 @@ private:
   }
 
   /// About the side of a texel, in units of the model.
-  double texel() const { return std::sqrt(report_.area / (double(page_.width) * page_.height)); }
+  double texel() const { return std::sqrt(charted_area_ / (double(page_.width) * page_.height)); }
 
   /// The page of each face, where charts that lie on copies of theirs have pages of their own.
   std::vector<Index> pages_of_layers() const
@@ -189,7 +211,8 @@ private:
     return pages;
   }
 
-  /// Writes the coordinates to the corners and proves them. Returns the charts to blame, sorted.
+  /// Writes the coordinates to the corners and proves them. Returns the charts of the flattener to blame,
+  /// sorted.
   std::vector<Index> verify()
   {
     write_corners();
@@ -199,14 +222,15 @@ private:
     options.gutter = page_.gutter;
     report_.certificate = certify(surface_, corner_uv_, pages_of_layers(), options, execution_);
     report_.certificate.pages = std::min(report_.certificate.pages, report_.pages);
-    std::vector<bool> refused(charts_.size(), false);
+    std::vector<bool> refused(flattener_.charts().size(), false);
     for (std::size_t i = 0; i < charts_.size(); ++i)
-      refused[i] = !rounding_faults_[i].empty();
+      if (!rounding_faults_[i].empty())
+        refused[charted_chart_[i]] = true;
     const std::vector<Index> face_chart = chart_of_faces();
     for (const Index face : report_.certificate.culprits)
-      refused[face_chart[face]] = true;
+      refused[charted_chart_[face_chart[face]]] = true;
     std::vector<Index> numbers;
-    for (Index i = 0; i < charts_.size(); ++i)
+    for (Index i = 0; i < refused.size(); ++i)
       if (refused[i])
         numbers.push_back(i);
     return numbers;
@@ -307,7 +331,7 @@ private:
       for (Point_2& p : charts_[i].uv)
         p = Point_2(p.x() * page_.width, p.y() * page_.height);
       measured[i] = triangle_distortions(charts_[i]);
-      const Flattened_chart& flat = flattener_.charts()[i];
+      const Flattened_chart& flat = flattener_.charts()[charted_chart_[i]];
       if (!flat.uv_before.empty())
         unoptimized[i] = triangle_distortions_at_own_scale(flat.chart, flat.uv_before);
       Chart_report& chart = report_.charts[i];
@@ -350,9 +374,14 @@ private:
   Execution execution_;
   Progress progress_;
 
-  Segmentation segmentation_;
+  Repeated_parts parts_;
+  Surface& charted_; ///< what is segmented and flattened: the surface, but for parts that are copies
+  double charted_area_ = 0;
+  Segmentation charted_segmentation_;
   Chart_flattener flattener_;
-  std::vector<Chart> charts_; ///< per chart, on its page, rounded
+  Segmentation segmentation_;
+  std::vector<Index> charted_chart_; ///< per chart: the flattener's, which it is or is a copy of
+  std::vector<Chart> charts_;        ///< per chart, on its page, rounded
   Packing packing_;
   std::vector<std::vector<Index>> rounding_faults_;
   std::vector<Index> face_page_;

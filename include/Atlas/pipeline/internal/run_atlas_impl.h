@@ -56,6 +56,15 @@ inline Policies policies_of(const Atlas_request& request)
   return policies;
 }
 
+/// Which copies of parts get the charts of their models. Policies that are given one by one may ask which
+/// triangle is which, so that they see the surface as it is.
+inline Chart_stacking shared_parts(const Atlas_request& request)
+{
+  const bool is_given = request.segmentation || request.parameterizer || request.optimizer ||
+                        request.validator || request.splitter;
+  return is_given ? Chart_stacking::none : request.page.stacking;
+}
+
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
                                     std::vector<Point_2>& corner_uv)
 {
@@ -66,12 +75,18 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
           "must be finite and not negative");
   check_wishes(request);
   const Policies policies = policies_of(request);
+  Page_options page = request.page;
+  if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
+    page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
+  const auto run = [&](const Surface& input) {
+    return Atlas_pipeline(input, policies, page, shared_parts(request), request.threads, request.progress)
+        .run(corner_uv);
+  };
   if (!(request.hard_angle > 0))
-    return Atlas_pipeline(surface, policies, request.page, request.threads, request.progress).run(corner_uv);
+    return run(surface);
   Surface with_hard_edges = surface;
   constrain_hard_edges(with_hard_edges, request.hard_angle);
-  return Atlas_pipeline(with_hard_edges, policies, request.page, request.threads, request.progress)
-      .run(corner_uv);
+  return run(with_hard_edges);
 }
 
 } // namespace Atlas::internal

@@ -30,11 +30,12 @@ struct Motion_2
   Vec2 operator()(Vec2 p) const { return rotated(turn, is_mirrored ? Vec2{p.x, -p.y} : p) + shift; }
 };
 
-/// The border of a chart that is a disc, as a closed polygon about its centre of gravity, and what must be
-/// equal for two charts to be copies.
+/// The outer border of a chart, as a closed polygon about its centre of gravity, and what must be equal for
+/// two charts to be copies.
 struct Congruence_key
 {
   std::vector<Vec2> border;
+  std::vector<Vec2> holes; ///< the points of all other borders, by x
   Vec2 centre;
   std::size_t vertices = 0, triangles = 0;
   double area = 0, radius = 0;
@@ -47,14 +48,35 @@ inline std::optional<Congruence_key> congruence_key(const Chart& chart)
   outline.centre = extent.centre;
   build_outline(chart, 1, outline);
   const auto chains = chains_of(outline);
-  if (chains.size() != 1 || chains[0].size() < 4 || chains[0].front() != chains[0].back() ||
-      !(outline.area > 0))
+  const auto is_closed = [](const auto& chain) { return chain.size() >= 4 && chain.front() == chain.back(); };
+  if (chains.empty() || !std::all_of(chains.begin(), chains.end(), is_closed) || !(outline.area > 0))
     return std::nullopt;
-  Congruence_key key{{},           outline.centre, chart.uv.size(), chart.triangles.size(),
-                     outline.area, outline.radius};
-  for (std::size_t i = 0; i + 1 < chains[0].size(); ++i)
-    key.border.push_back(outline.points[chains[0][i]]);
+  Congruence_key key{
+      {}, {}, outline.centre, chart.uv.size(), chart.triangles.size(), outline.area, outline.radius};
+  // Closed chains start at their farthest point: that of the outer border is the farthest of all.
+  const auto outer = std::max_element(chains.begin(), chains.end(), [&](const auto& a, const auto& b) {
+    return length(outline.points[a.front()]) < length(outline.points[b.front()]);
+  });
+  for (auto chain = chains.begin(); chain != chains.end(); ++chain)
+    for (std::size_t i = 0; i + 1 < chain->size(); ++i)
+      (chain == outer ? key.border : key.holes).push_back(outline.points[(*chain)[i]]);
+  std::sort(key.holes.begin(), key.holes.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
   return key;
+}
+
+/// Whether a turn, after a reflection, takes each of the points `from` to one of the points `to`, which are
+/// sorted by x.
+inline bool has_image_in(const std::vector<Vec2>& from, Vec2 turn, bool is_mirrored,
+                         const std::vector<Vec2>& to, double tolerance)
+{
+  return from.size() == to.size() && std::all_of(from.begin(), from.end(), [&](Vec2 p) {
+           const Vec2 q = rotated(turn, is_mirrored ? Vec2{p.x, -p.y} : p);
+           auto it = std::lower_bound(to.begin(), to.end(), q.x - tolerance,
+                                      [](Vec2 a, double x) { return a.x < x; });
+           while (it != to.end() && it->x <= q.x + tolerance && length(*it - q) > tolerance)
+             ++it;
+           return it != to.end() && it->x <= q.x + tolerance;
+         });
 }
 
 /// The motion that takes the border `from` to the border `to` within 1e-4 of the radius, if there is one.
@@ -84,7 +106,7 @@ inline std::optional<Motion_2> congruence(const Congruence_key& from, const Cong
     bool is_equal = true;
     for (std::size_t i = 0; i < n && is_equal; ++i)
       is_equal = length(rotated(turn, border[(k + i) % n]) - to.border[i]) <= tolerance;
-    if (!is_equal)
+    if (!is_equal || !has_image_in(from.holes, turn, is_mirrored, to.holes, tolerance))
       continue;
     Motion_2 motion{turn, {}, is_mirrored};
     motion.shift = to.centre - motion(from.centre);
@@ -119,7 +141,14 @@ public:
     const Membership& m = members_[chart];
     const Placement& p = placements[m.piece];
     const Vec2 a = rotated({p.a, p.b}, m.motion.turn), t = rotated({p.a, p.b}, m.motion.shift);
-    return {a.x * m.weight, a.y * m.weight, t.x + p.x, t.y + p.y, p.page, m.motion.is_mirrored};
+    return {a.x * m.weight,
+            a.y * m.weight,
+            p.stretch_x * t.x + p.x,
+            p.stretch_y * t.y + p.y,
+            p.page,
+            m.motion.is_mirrored,
+            p.stretch_x,
+            p.stretch_y};
   }
 
   /// How many copies of a chart lie below it.
@@ -198,6 +227,8 @@ private:
     }
     for (const auto& [a, b, c] : chart.triangles)
       piece.triangles.push_back({base + a, base + b, base + c});
+    if (chart.points.size() == chart.uv.size())
+      piece.points.insert(piece.points.end(), chart.points.begin(), chart.points.end());
   }
 
   /// Leaves one piece of all copies. A piece is compared with the last few of the same numbers and about the
