@@ -66,6 +66,33 @@ TEST(Distortion, AgreesWithTheGradientsOfTheCoordinates)
   }
 }
 
+TEST(Gradient_angle, OfLinearMapsIsKnown)
+{
+  // u = x and v = y + x tan(30 degrees): the gradients are (1, 0) and (tan 30, 1).
+  const double t = std::tan(M_PI / 6);
+  for (const double angle : gradient_angles(mapped_grid(1, 0, t, 1)))
+    EXPECT_NEAR(angle, 60, 1e-9);
+  for (const double angle : gradient_angles(mapped_grid(1, 0, -t, 1)))
+    EXPECT_NEAR(angle, 120, 1e-9);
+  for (const double angle : gradient_angles(mapped_grid(3, -4, 4, 3)))
+    EXPECT_NEAR(angle, 90, 1e-9);
+  EXPECT_TRUE(std::isnan(gradient_angle({Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)},
+                                        {Point_2(0, 0), Point_2(1, 1), Point_2(2, 2)})));
+}
+
+TEST(Distortion, AtOwnScaleKnowsNoScale)
+{
+  // Twice as wide as high, and 10 times as large in all: the area comes out as in space.
+  const Chart chart = mapped_grid(20, 0, 0, 10);
+  double area = 0;
+  for (const Triangle_distortion& d : triangle_distortions_at_own_scale(chart, chart.uv)) {
+    area += d.area_uv;
+    EXPECT_NEAR(d.largest, std::sqrt(2), 1e-12);
+    EXPECT_NEAR(d.smallest, std::sqrt(0.5), 1e-12);
+  }
+  EXPECT_NEAR(area, 1, 1e-12);
+}
+
 TEST(Distortion, TwoDensitiesShowInAreaOnly)
 {
   std::vector<Chart> charts{mapped_grid(1, 0, 0, 1), mapped_grid(3, 0, 0, 3)};

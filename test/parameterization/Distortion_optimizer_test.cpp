@@ -2,11 +2,13 @@
 #include <Atlas/core/concepts.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/internal/distortion/chart_hierarchy.h>
+#include <Atlas/parameterization/internal/geometry/border.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 
@@ -84,6 +86,37 @@ std::vector<internal::Complex> coordinates(const Chart& chart)
   for (const Point_2& p : chart.uv)
     u.emplace_back(p.x(), p.y());
   return u;
+}
+
+TEST(Stretch_optimizer, lowers_stretch_with_the_border_where_it_is)
+{
+  Chart chart = height_field(12, 0.8, 3);
+  ASSERT_EQ(Harmonic_parameterizer().parameterize(chart, Execution()), Chart_status::valid);
+  const Chart before = chart;
+  Distortion_options options;
+  options.keeps_border = true;
+  ASSERT_EQ(Stretch_optimizer(options).optimize(chart, Execution()), Chart_status::valid);
+  const double kept = measure_distortion(chart).l2_stretch;
+  EXPECT_LT(kept, 0.98 * measure_distortion(before).l2_stretch);
+  // Up to one scale and a shift, the border is where it was; the inside is not.
+  const std::vector<bool> is_on_border = internal::border_vertices(chart);
+  Index origin = 0;
+  while (!is_on_border[origin])
+    ++origin;
+  const double scale = std::sqrt(area_uv(chart) / area_uv(before));
+  double moved = 0;
+  for (Index v = 0; v < chart.uv.size(); ++v) {
+    const Vector_2 off = (chart.uv[v] - chart.uv[origin]) - scale * (before.uv[v] - before.uv[origin]);
+    if (is_on_border[v])
+      EXPECT_LT(std::sqrt(off.squared_length()), 1e-6) << v;
+    else
+      moved = std::max(moved, std::sqrt(off.squared_length()));
+  }
+  EXPECT_GT(moved, 1e-3);
+  // A free border can only do better.
+  Chart free = before;
+  ASSERT_EQ(Stretch_optimizer().optimize(free, Execution()), Chart_status::valid);
+  EXPECT_LT(measure_distortion(free).l2_stretch, kept);
 }
 
 TEST(Chart_hierarchy, thins_out_discs_without_flips)

@@ -4,6 +4,7 @@
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/internal/conformal/hermitian_ldlt.h>
 #include <Atlas/parameterization/internal/conformal/hermitian_multifrontal.h>
+#include <Atlas/parameterization/internal/geometry/border.h>
 
 #include <Eigen/Dense>
 
@@ -257,6 +258,56 @@ TEST(LSCM, a_slit_ring_is_not_pinned_at_the_two_copies_of_a_place)
   for (const auto& [a, b, c] : chart.triangles)
     EXPECT_NEAR(CGAL::squared_distance(chart.uv[a], chart.uv[b]),
                 CGAL::squared_distance(chart.points[a], chart.points[b]), 1e-9);
+}
+
+/// The longest shortest path between two border vertices, by Floyd and Warshall's algorithm.
+double longest_way(const Chart& chart)
+{
+  const std::size_t n = chart.number_of_vertices();
+  std::vector<std::vector<double>> way(n, std::vector<double>(n, HUGE_VAL));
+  for (const auto& corner : chart.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Index a = corner[i], b = corner[(i + 1) % 3];
+      way[a][b] = way[b][a] = std::sqrt(CGAL::squared_distance(chart.points[a], chart.points[b]));
+    }
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        way[i][j] = std::min(way[i][j], way[i][k] + way[k][j]);
+  const std::vector<bool> is_on_border = internal::border_vertices(chart);
+  double longest = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_on_border[i] && is_on_border[j])
+        longest = std::max(longest, way[i][j]);
+  return longest;
+}
+
+TEST(LSCM, the_papers_pins_are_the_ends_of_the_diameter)
+{
+  // A rectangle, a sheet with waves, a round cap, and an open ring, whose cut counts as a way.
+  const std::vector<Chart> charts{
+      wavy(12, 3, 0), wavy(12, 9, 0.3),
+      test::chart_of(test::grid(10, 10,
+                                [](double x, double y) {
+                                  const double r = std::max(std::abs(2 * x - 1), std::abs(2 * y - 1));
+                                  const double a = std::atan2(2 * y - 1, 2 * x - 1);
+                                  return Point_3(r * std::cos(a), r * std::sin(a), 1 - r * r);
+                                })),
+      test::chart_of(test::grid(24, 2, [](double x, double y) {
+        return Point_3((2 + y) * std::cos(6.2 * x), (2 + y) * std::sin(6.2 * x), 0);
+      }))};
+  for (const Chart& chart : charts) {
+    const std::vector<LSCM_pin> pins = diameter_pins(chart);
+    ASSERT_EQ(pins.size(), 2u);
+    const std::vector<bool> is_on_border = internal::border_vertices(chart);
+    EXPECT_TRUE(is_on_border[pins[0].vertex] && is_on_border[pins[1].vertex]);
+    EXPECT_NEAR(pins[1].uv.x() - pins[0].uv.x(), longest_way(chart), 1e-9);
+    // Without time to search it is a double sweep, never more.
+    EXPECT_LE(diameter_pins(chart, 0)[1].uv.x(), pins[1].uv.x() + 1e-12);
+    EXPECT_GE(diameter_pins(chart, 0)[1].uv.x(), 0.5 * pins[1].uv.x());
+  }
+  EXPECT_TRUE(diameter_pins(Chart()).empty());
 }
 
 TEST(LSCM, the_result_scales_with_the_model_and_keeps_the_area)

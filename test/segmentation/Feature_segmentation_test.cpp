@@ -173,6 +173,33 @@ TEST(Feature_segmentation, An_open_cylinder_is_one_rolled_chart)
   test::expect_discs(surface, segmentation);
 }
 
+TEST(Feature_segmentation, To_the_letter_only_whole_charts_are_socks)
+{
+  // A hat: a flat brim and a high cylinder that is closed on top. As one chart it is no sock, but its upper
+  // part is; the cylinder alone is one.
+  const Surface hat = test::surface_of(test::lathe({{8, 0}, {1, 0}, {1, 4}, {0, 4.5}}, 32, 12));
+  const Surface cap = test::surface_of(test::lathe({{1, 0}, {1, 4}, {0, 4.5}}, 32, 12));
+  const auto cuts = [](const Surface& surface, bool is_letter) {
+    Segmentation one = test::one_chart(surface);
+    std::vector<double> height;
+    for (Index t = 0; t < surface.number_of_triangles(); ++t)
+      height.push_back(middle(surface, t).z());
+    if (is_letter)
+      internal::cut_socks_from_seeds(surface, default_sock_ratio, height, one, Execution());
+    else
+      internal::cut_socks(surface, default_sock_ratio, one, Execution());
+    double highest = 0;
+    for (Index h = 0; h < one.cut.size(); ++h)
+      if (one.cut[h])
+        highest = std::max(highest, surface.point(h).z());
+    return std::pair(std::count(one.cut.begin(), one.cut.end(), 1), highest);
+  };
+  EXPECT_GT(cuts(hat, false).first, 0);
+  EXPECT_EQ(cuts(hat, true).first, 0);
+  EXPECT_GT(cuts(cap, true).first, 0);
+  EXPECT_NEAR(cuts(cap, true).second, 4.5, 0.1); // from the seed, the highest triangle
+}
+
 TEST(Feature_segmentation, A_featureless_ellipsoid_is_two_caps)
 {
   const Surface surface = test::surface_of(test::ellipsoid(2));

@@ -81,6 +81,38 @@ TEST(Expand_charts, A_bump_on_a_slope_is_noise_if_it_is_low)
   }
 }
 
+TEST(Expand_charts, To_the_letter_both_charts_are_within_epsilon)
+{
+  // A summit of 1, a valley of 0.35, a hill of 0.4: the hill is hardly any, but the summit is more than a
+  // quarter above the valley.
+  const Surface surface = test::surface_of(test::planar_grid(90, 4));
+  const std::vector<double> value = per_face(surface, [&](Index f) {
+    const double x = double(f / 2 % 90) / 89;
+    return x < 0.6 ? 1 - x * 0.65 / 0.6 : x < 0.7 ? 0.35 + 0.5 * (x - 0.6) : 0.4 - 1.3 * (x - 0.7);
+  });
+  Growth_options tolerant;
+  tolerant.noise_depth = 0.1;
+  EXPECT_EQ(expand_charts(surface, value, tolerant).number_of_charts, 1u);
+  EXPECT_EQ(expand_charts(surface, value, Growth_options::paper()).number_of_charts, 2u);
+}
+
+TEST(Expand_charts, To_the_letter_epsilon_is_a_share_of_the_largest_distance_of_all)
+{
+  // Two sheets, the second with a tenth of the first's heights: two hills with a deep valley each.
+  test::Soup soup = test::planar_grid(80, 4);
+  const std::size_t faces = soup.polygons.size();
+  test::append(soup, test::grid(80, 4, [](double x, double y) { return Point_3(x, y, 5); }));
+  const Surface surface = test::surface_of(soup);
+  const std::vector<double> value = per_face(surface, [&](Index f) {
+    const double x = double(f % faces / 2 % 80) / 79;
+    return (f < faces ? 1 : 0.1) * (1 - 0.8 * (1 - std::abs(2 * x - 1)));
+  });
+  Growth_options options = Growth_options::paper();
+  EXPECT_EQ(expand_charts(surface, value, options).number_of_charts, 3u);
+  options.is_depth_global = false;
+  EXPECT_EQ(expand_charts(surface, value, options).number_of_charts, 4u);
+}
+
 TEST(Expand_charts, A_plateau_is_one_chart)
 {
   const Surface surface = test::surface_of(test::planar_grid(30, 30));
