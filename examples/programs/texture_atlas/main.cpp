@@ -147,6 +147,7 @@ int run(Options& options)
   if (!options.is_quiet) {
     print_rejected(options, input.models, report);
     print_unfulfilled(options, model, report);
+    print_beyond_bound(report);
     print_disagreement(options, model, report);
     print_table(options, model, report);
     print_times(report, seconds_reading, writing.seconds());

@@ -61,6 +61,10 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   Atlas::Merge_options merge = Atlas::merge_options(mode);
   if (options.max_distortion > 0)
     merge.max_distortion = options.max_distortion;
+  if (options.max_stretch > 0)
+    merge.max_stretch = options.max_stretch;
+  if (options.max_stretch_share > 0)
+    merge.max_stretch_share = options.max_stretch_share;
   if (!options.measure.empty())
     merge.measure = measure_of(options.measure);
   merge.max_charts = options.max_charts;
@@ -88,5 +92,8 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   if (!options.seams.empty())
     constrain_seams(options.seams, model, surface);
   return Atlas::generate_atlas(surface, uv,
-                               common.policies(policies).mode(mode).hard_angle(options.hard_angle));
+                               common.policies(policies)
+                                   .mode(mode)
+                                   .hard_angle(options.hard_angle)
+                                   .straighten(options.is_straightened));
 }

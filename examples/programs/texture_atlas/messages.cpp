@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
 {
@@ -98,6 +99,25 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
   if (options.max_charts > 0 && report.charts.size() > options.max_charts)
     std::fprintf(stderr, "texture_atlas: fewer than %zu charts would not be discs without overlap\n",
                  report.charts.size());
+}
+
+void print_beyond_bound(const Atlas::Atlas_report& report)
+{
+  struct Group
+  {
+    std::size_t charts = 0;
+    double area = 0;
+  };
+  std::map<Atlas::Excess_reason, Group> groups;
+  for (const Atlas::Chart_report& chart : report.charts)
+    if (!chart.is_within_bound) {
+      ++groups[chart.reason].charts;
+      groups[chart.reason].area += chart.area;
+    }
+  for (const auto& [reason, group] : groups)
+    std::fprintf(
+        stderr, "texture_atlas: %zu of %zu charts (%.2g %% of the area) exceed the bound on distortion: %s\n",
+        group.charts, report.charts.size(), 100 * group.area / report.area, message(reason));
 }
 
 void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,

@@ -35,6 +35,18 @@ void add_chart_options(CLI::App& app, Options& options)
       ->check(CLI::IsMember({"symmetric-dirichlet", "l2-stretch", "linf-stretch", "area-ratio",
                              "area-ratio-quantiles", "quasi-conformal"}))
       ->needs(max_distortion);
+  CLI::Option* max_stretch =
+      app.add_option(
+             "--max-stretch", options.max_stretch,
+             "Besides, no length in a chart is stretched or shrunk by more than this factor, the chart "
+             "scaled to its area in space. Charts that exceed this or --max-distortion are cut until "
+             "they do not, or the report tells why. Default: 2.5")
+          ->check(CLI::Range(1.0, 1e6));
+  app.add_option("--max-stretch-share", options.max_stretch_share,
+                 "The share of each chart's area that has to keep --max-stretch; 1: every triangle. "
+                 "Default: 0.99")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->needs(max_stretch);
   app.add_option(
       "--max-charts", options.max_charts,
       "Merge on until there are at most so many charts, as far as they stay discs. Default: no limit");
@@ -44,6 +56,10 @@ void add_chart_options(CLI::App& app, Options& options)
   app.add_option("--hard-angle", options.hard_angle,
                  "Cut at edges where normals turn by more than so many degrees. Default: none")
       ->check(CLI::Range(0.0, 180.0));
+  app.add_flag(
+      "--straighten", options.is_straightened,
+      "Make rectangles of regular grids of quadrilaterals (a tube, a road, a rope), rows and columns "
+      "on straight lines, where the bounds on distortion allow it");
   app.add_flag("--separate-materials", options.separates_materials,
                "Let no chart have faces of two materials");
   app.add_option(
@@ -127,9 +143,9 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
     return;
   }
   for (const char* name :
-       {"--mode", "--max-distortion", "--measure", "--max-charts", "--min-chart-texels", "--hard-angle",
-        "--separate-materials", "--seams", "--segmentation", "--parameterizer", "--solver", "--pins",
-        "--optimizer", "--validator", "--max-area-ratio"})
+       {"--mode", "--max-distortion", "--measure", "--max-stretch", "--max-charts", "--min-chart-texels",
+        "--hard-angle", "--straighten", "--separate-materials", "--seams", "--segmentation",
+        "--parameterizer", "--solver", "--pins", "--optimizer", "--validator", "--max-area-ratio"})
     refuse(name, "--keep-uv",
            std::string("the charts of the file stay as they are, so ") + name +
                " has no meaning: leave out one of the two");

@@ -28,11 +28,12 @@ struct Options : Packing_options
   Stage_names stages;
   std::string seams;                                               ///< a file of them
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
+  double max_stretch = 0, max_stretch_share = 0;                   ///< 0: not given
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;
-  bool keeps_uv = false, separates_materials = false, turns_faces = false, is_quiet = false,
-       shows_progress = false;
+  bool keeps_uv = false, separates_materials = false, is_straightened = false, turns_faces = false,
+       is_quiet = false, shows_progress = false;
   double time_limit = 0; ///< seconds; 0: none
 
   bool has(Bake bake) const;
@@ -85,6 +86,9 @@ void print_rejected(const Options& options, const Atlas::Joined_soups& models,
 /// Tells of wishes that could not be fulfilled.
 void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
                        const Atlas::Atlas_report& report);
+
+/// Tells of charts that exceed the bound on distortion, and why.
+void print_beyond_bound(const Atlas::Atlas_report& report);
 
 /// Tells why there may be so many charts.
 void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,

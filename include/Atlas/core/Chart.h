@@ -31,6 +31,7 @@ struct Chart
 /// What is known of one chart. The order is that of severity.
 enum class Chart_status {
   valid,               ///< accepted
+  bound_exceeded,      ///< one-to-one, but with more distortion than asked for
   area_ratio_exceeded, ///< one-to-one, but densities vary more than asked for
   flipped,             ///< a triangle is turned over or has no area in the plane though it has area in space
   overlapping,         ///< two triangles cover each other in the plane
@@ -45,6 +46,8 @@ inline const char* message(Chart_status status)
   switch (status) {
   case Chart_status::valid:
     return "the chart is valid";
+  case Chart_status::bound_exceeded:
+    return "the distortion of the chart exceeds its bound";
   case Chart_status::area_ratio_exceeded:
     return "the ratio of the largest to the smallest density in the chart exceeds the bound";
   case Chart_status::flipped:
@@ -98,11 +101,17 @@ inline bool is_mean(Distortion_measure measure)
          measure == Distortion_measure::quasi_conformal;
 }
 
-/// A bound on the distortion of every chart: what is bounded, and by how much.
+/// \brief A bound on the distortion of every chart: what is bounded, and by how much.
+///
+/// Means hide spots, so the stretch of single triangles is bounded too: with the chart scaled to its area in
+/// space, max(s1, 1/s2), s1 >= s2 being the singular values of the map to the plane or, which gives the same
+/// number, of its inverse.
 struct Distortion_bound
 {
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   double max = std::numeric_limits<double>::infinity();
+  double max_stretch = std::numeric_limits<double>::infinity();
+  double stretch_share = 1; ///< of the chart's area, in (0, 1], has at most that stretch; 1: all triangles
 };
 
 /// \brief What the optimisation did to a chart.

@@ -23,6 +23,8 @@ struct min_chart_texels_t
 {};
 struct hard_angle_t
 {};
+struct straighten_t
+{};
 struct seam_cost_map_t
 {};
 struct forbidden_seam_map_t
@@ -114,6 +116,14 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   auto hard_angle(const K& k) const
   {
     return with<internal::hard_angle_t>(k);
+  }
+  /// Whether parts of the surface that are regular grids of quadrilaterals (a tube, a road, a rope) become
+  /// rectangles, rows and columns on straight lines, where that keeps the bound on distortion; default:
+  /// false.
+  template <typename K>
+  auto straighten(const K& k) const
+  {
+    return with<internal::straighten_t>(k);
   }
   /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
   /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
@@ -233,6 +243,7 @@ template <typename K> auto merge_options(const K& k) { return Named_parameters<K
 template <typename K> auto max_charts(const K& k) { return Named_parameters<K, internal::max_charts_t>(k); }
 template <typename K> auto min_chart_texels(const K& k) { return Named_parameters<K, internal::min_chart_texels_t>(k); }
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
+template <typename K> auto straighten(const K& k) { return Named_parameters<K, internal::straighten_t>(k); }
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
 template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }

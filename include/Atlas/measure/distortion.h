@@ -65,6 +65,8 @@ struct Distortion
   double area_uv = 0;              ///< of the measured triangles
   double l2_stretch = 1;           ///< sqrt(mean (s1^2 + s2^2)/2), >= 1; Sander et al. 2001
   double linf_stretch = 1;         ///< max s1; Sander et al. 2001
+  double stretch_p99 = 1;          ///< 99 % quantile of max(s1, 1/s2)
+  double stretch_max = 1;          ///< largest max(s1, 1/s2)
   double quasi_conformal_mean = 1; ///< mean s1/s2; 1 is conformal
   double quasi_conformal_max = 1;
   double angle_mean = 0;               ///< mean 2 atan(s1/s2) - 90 degrees: the largest loss of a right angle
@@ -98,6 +100,15 @@ Distortion measure_distortion(std::span<const Chart> charts);
 
 /// The named figure; infinite where nothing could be measured.
 double value(const Distortion& d, Distortion_measure measure);
+
+/// The least number that max(s1, 1/s2) of the triangles exceeds on at most 1 - `share` of their area in
+/// space. Scaled like `Distortion`; 1 where nothing could be measured. O(n log n).
+/// \param share  in [0, 1]; 1 gives the maximum
+double stretch_quantile(std::span<const Triangle_distortion> measured, double share);
+
+/// How much of what a bound allows is used: the distortion beyond 1 over that of the bound, of its two parts
+/// the one that uses more. At most 1 keeps the bound. O(n log n).
+double used_share(std::span<const Triangle_distortion> measured, const Distortion_bound& bound);
 
 } // namespace Atlas
 

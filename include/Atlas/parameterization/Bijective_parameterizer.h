@@ -7,6 +7,8 @@
 #include <Atlas/core/Execution.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 
+#include <vector>
+
 namespace Atlas {
 
 /// \brief Which charts are optimised.
@@ -55,10 +57,39 @@ private:
   Any_parameterizer first_;
 };
 
+/// \brief Lays charts that are regular grids of quadrilaterals out as rectangles, rows and columns on
+/// straight lines; all others go to another parameterizer.
+///
+/// Strips of quadrilaterals, as of a road or a rope, keep a texture that runs along them straight. Each
+/// column is as wide, and each row as high, as the edges across it are long on average, which is the least
+/// squares fit. A grid is laid out so only if it keeps the bound then. A model of `RecordingParameterizer`.
+/// Linear but for sorting.
+class Straight_parameterizer
+{
+public:
+  /// \param face   per triangle of the surface that the charts will come from: its face, as `Surface::face`
+  /// \param other  flattens all other charts
+  /// \param bound  on the distortion of a chart
+  Straight_parameterizer(std::vector<Index> face, Any_parameterizer other, const Distortion_bound& bound);
+
+  /// \return `valid` for a straight chart; else what the other parameterizer says
+  /// \throws Invalid_argument if the chart is not one of the surface
+  Chart_status parameterize(Chart& chart, const Execution& execution) const;
+  /// \copydoc parameterize
+  /// \param record  as the other parameterizer leaves it; as by default for a straight chart
+  Chart_status parameterize(Chart& chart, const Execution& execution, Flattening_record& record) const;
+
+private:
+  std::vector<Index> face_;
+  Any_parameterizer other_;
+  Distortion_bound bound_;
+};
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/parameterization/internal/Bijective_parameterizer_impl.h>
+#include <Atlas/parameterization/internal/straight/Straight_parameterizer_impl.h>
 #endif
 
 #endif

@@ -41,16 +41,49 @@ inline const char* message(Atlas_status status)
   return "unknown status";
 }
 
+/// Why a chart exceeds the bound on distortion.
+enum class Excess_reason {
+  none,             ///< it does not
+  single_face,      ///< it is a single face, and faces are never cut
+  split_in_vain,    ///< cutting it up hardly lowers the distortion: the surface is rough there
+  density_given_up, ///< its densities vary too much, and splitting has not mended that
+  not_asked_for,    ///< the validator accepts it: one without this bound, or because a wish for few or large
+                    ///< charts goes before
+  rounded           ///< it keeps the bound but for the rounding of its coordinates
+};
+
+/// A sentence for the user.
+inline const char* message(Excess_reason reason)
+{
+  switch (reason) {
+  case Excess_reason::none:
+    return "the chart keeps its bound";
+  case Excess_reason::single_face:
+    return "the chart is a single face, and faces are not cut";
+  case Excess_reason::split_in_vain:
+    return "cutting the chart up hardly lowers its distortion";
+  case Excess_reason::density_given_up:
+    return "splitting has not made the densities in the chart alike";
+  case Excess_reason::not_asked_for:
+    return "the chart is accepted as other wishes go before the bound";
+  case Excess_reason::rounded:
+    return "the chart keeps its bound but for the rounding of its coordinates";
+  }
+  return "unknown reason";
+}
+
 /// \brief What became of one chart.
 struct Chart_report
 {
-  Chart_status status =
-      Chart_status::valid; ///< `valid`, or `area_ratio_exceeded` where the bound was given up
+  Chart_status status = Chart_status::valid; ///< `valid`, or `bound_exceeded` or `area_ratio_exceeded` where
+                                             ///< a bound was given up
   std::size_t triangles = 0;
   double area = 0;             ///< in space, squared units of the model
   Distortion distortion;       ///< up to the chart's own scale
   Distortion unoptimized;      ///< the same before the optimizer
+  double stretch = 1;          ///< what the share of its area that `Atlas_report::bound` names has at most
   bool is_within_bound = true; ///< whether the distortion is at most `Atlas_report::bound`
+  Excess_reason reason = Excess_reason::none; ///< why it is not
   Flattening_record
       flattening; ///< what was done to flatten it; as by default for parameterizers that do not tell
 };

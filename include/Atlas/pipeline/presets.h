@@ -89,9 +89,10 @@ struct Policies
 /// mode, with
 ///   low symmetric Dirichlet energy
 /// - `optimizer`: `Identity_optimizer`, as the parameterizer optimises already
-/// - `validator`: `Exact_validator`, with a bound on densities: that of `options`, if they bound densities,
-/// else
-///   `default_density_ratio`. There is none where a wish for few or large charts goes before.
+/// - `validator`: `Exact_validator`, with the bound of `options` and one on densities: that of `options`, if
+/// they
+///   bound densities, else `default_density_ratio`. There is none where a wish for few or large charts goes
+///   before.
 /// - `splitter`: `Culprit_splitter`
 /// - `packer`: `Raster_packer`
 ///

@@ -30,7 +30,7 @@ public:
   const Any_segmentation& base() const { return base_; }
   const Merge_options& options() const { return options_; }
   /// Of the charts that come from merging. Splits that a flattening needs later only lower the distortion.
-  Distortion_bound bound() const { return {options_.measure, options_.max_distortion}; }
+  Distortion_bound bound() const { return internal::bound_of(options_); }
 
   /// Once cancelled, returns the charts of that moment.
   Segmentation segment(const Surface& surface, const Execution& execution) const;
@@ -42,10 +42,37 @@ private:
   Merge_options options_;
 };
 
+/// \brief A chart for each part of the surface that is a regular grid of quadrilaterals, tubes opened along
+/// one line of edges; the rest by another model.
+///
+/// A part is all that hangs together of quadrilaterals. It has to be rows and columns without a gap, four
+/// faces around each inner vertex, and to keep a bound on the distortion as a rectangle with its rows and
+/// columns on straight lines (`Straight_parameterizer`). Patches, wanted and forbidden seams are respected; a
+/// grid of fewer than 16 faces is no chart of its own if it is part of something larger. A model of
+/// `BoundedSegmentation`. O(n) and the other model.
+class Straight_segmentation
+{
+public:
+  /// \param rest   segments what is no such grid
+  /// \param bound  that a grid keeps when it is straight
+  Straight_segmentation(Any_segmentation rest, const Distortion_bound& bound);
+
+  const Any_segmentation& rest() const { return rest_; }
+  Distortion_bound bound() const { return bound_; }
+
+  /// Once cancelled, returns the charts of that moment.
+  Segmentation segment(const Surface& surface, const Execution& execution) const;
+
+private:
+  Any_segmentation rest_;
+  Distortion_bound bound_;
+};
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/segmentation/internal/merging/Merged_segmentation_impl.h>
+#include <Atlas/segmentation/internal/straight/Straight_segmentation_impl.h>
 #endif
 
 #endif

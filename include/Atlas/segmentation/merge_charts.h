@@ -22,6 +22,11 @@ struct Merge_options
   Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
   /// Its bound for each chart that comes from merging: at least 1, which is no distortion; infinity: none.
   double max_distortion = 1.035;
+  /// Besides, the stretch of a triangle, which is max(s1, 1/s2) with the chart scaled to its area in space:
+  /// at least 1; infinity: no bound ...
+  double max_stretch = 2.5;
+  /// ... is at most that on this share of each chart's area, in (0, 1]; 1: of every triangle.
+  double max_stretch_share = 0.99;
   /// Trials may use this share of what the bound allows beyond 1: less than 1 leaves a margin for what only
   /// the full resolution shows. In (0, 1].
   double share_for_trials = 1;
@@ -63,6 +68,16 @@ struct Merge_options
   /// allows it, afterwards.
   bool are_borders_smoothed = true;
 };
+
+namespace internal {
+
+/// What the options bound.
+inline Distortion_bound bound_of(const Merge_options& options)
+{
+  return {options.measure, options.max_distortion, options.max_stretch, options.max_stretch_share};
+}
+
+} // namespace internal
 
 /// Fewer charts and shorter seams for more distortion: a bound of 1.05, and charts as large and as ramified
 /// as it allows. On the eight meshes of the manual's table a quarter of UVAtlas's charts and less than two

@@ -16,6 +16,7 @@ namespace Atlas {
 ///   is split half-way between two triangles that cover each other.
 /// - `area_ratio_exceeded`: two parts grown from the extreme triangles; steps towards triangles of another
 ///   density are longer.
+/// - `bound_exceeded`: a short cut through the place with most distortion.
 /// - `flipped`: a cut through the flipped triangles that has half of them on either side. A vertex that was
 ///   too sharp to be flattened lies on the border then.
 ///   Triangles that are counterclockwise in `chart.uv` and are to blame all the same are too small for the

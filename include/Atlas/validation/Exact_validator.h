@@ -26,20 +26,25 @@ public:
   /// \param max_area_ratio  bound on the ratio of densities, at least 1; 0 and infinity switch the test off
   /// \param area_quantile   share of the chart's area in space, in [0, 0.5), that is left out at either end
   /// when the ratio is measured: 0 compares the extreme triangles as the paper does, 0.01 is robust
+  /// \param bound           on the distortion of a chart
   /// \throws Invalid_argument if one of them is out of its range
-  explicit Exact_validator(double max_area_ratio = default_max_area_ratio, double area_quantile = 0);
+  explicit Exact_validator(double max_area_ratio = default_max_area_ratio, double area_quantile = 0,
+                           const Distortion_bound& bound = {});
 
   double max_area_ratio() const { return max_area_ratio_; }
   double area_quantile() const { return area_quantile_; }
+  const Distortion_bound& bound() const { return bound_; }
 
   /// The worst that is wrong with the chart, with the triangles to blame: `flipped` before `overlapping`
-  /// before `area_ratio_exceeded` (then the culprits are the two extreme triangles). Coordinates that are
-  /// missing or not finite give `solver_failed`. O(n log n).
+  /// before `area_ratio_exceeded` (then the culprits are the two extreme triangles) before `bound_exceeded`
+  /// (then it is the triangle that is stretched most). Coordinates that are missing or not finite give
+  /// `solver_failed`. O(n log n).
   Chart_verdict validate(const Chart& chart, const Execution& execution) const;
 
 private:
   double max_area_ratio_;
   double area_quantile_;
+  Distortion_bound bound_;
 };
 
 static_assert(ChartValidator<Exact_validator>);

@@ -75,9 +75,8 @@ inline void summarize_areas(std::vector<std::pair<double, double>> ratios, Disto
   d.area_p99 = quantile(0.99);
 }
 
-} // namespace internal
-
-ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion> measured)
+/// How many triangles can be measured, and their areas.
+inline Distortion sums_of_areas(std::span<const Triangle_distortion> measured)
 {
   Distortion d;
   for (const Triangle_distortion& t : measured)
@@ -86,8 +85,35 @@ ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion
       d.area_3d += t.area_3d;
       d.area_uv += t.area_uv;
     }
+  return d;
+}
+
+} // namespace internal
+
+ATLAS_INLINE double stretch_quantile(std::span<const Triangle_distortion> measured, double share)
+{
+  // Sums of areas are rounded; a share of 1 is all of them.
+  constexpr double rounding = 1e-12;
+  const Distortion areas = internal::sums_of_areas(measured);
+  const double g = std::sqrt(areas.area_uv / areas.area_3d);
+  std::vector<std::pair<double, double>> stretch; // with the area in space
+  stretch.reserve(areas.triangles);
+  for (const Triangle_distortion& t : measured)
+    if (t.is_measurable())
+      stretch.emplace_back(std::max(g * t.largest, 1 / (g * t.smallest)), t.area_3d);
+  std::sort(stretch.begin(), stretch.end());
+  double rest = (1 - share + rounding) * areas.area_3d;
+  for (; !stretch.empty() && stretch.back().second <= rest && share < 1; stretch.pop_back())
+    rest -= stretch.back().second;
+  return stretch.empty() ? 1 : std::max(1.0, stretch.back().first);
+}
+
+ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion> measured)
+{
+  Distortion d = internal::sums_of_areas(measured);
   if (d.triangles == 0)
     return d;
+  d.stretch_p99 = stretch_quantile(measured, 0.99);
   const double g2 = d.area_uv / d.area_3d, g = std::sqrt(g2);
   double l2 = 0, qc = 0, angle = 0, area = 0, dirichlet = 0;
   std::vector<std::pair<double, double>> ratios; // (r, weight)
@@ -105,6 +131,7 @@ ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion
     area += w * std::max(r, 1 / r);
     dirichlet += w * energy;
     d.linf_stretch = std::max(d.linf_stretch, s1);
+    d.stretch_max = std::max({d.stretch_max, s1, 1 / s2});
     d.quasi_conformal_max = std::max(d.quasi_conformal_max, s1 / s2);
     d.symmetric_dirichlet_max = std::max(d.symmetric_dirichlet_max, energy);
     ratios.emplace_back(r, w);
@@ -205,6 +232,21 @@ ATLAS_INLINE double value(const Distortion& d, Distortion_measure measure)
     return d.quasi_conformal_mean;
   }
   return std::numeric_limits<double>::infinity();
+}
+
+ATLAS_INLINE double used_share(std::span<const Triangle_distortion> measured, const Distortion_bound& bound)
+{
+  const auto share = [](double figure, double max) {
+    if (figure <= max && max <= 1)
+      return 1.0;
+    return std::isinf(max) ? 0 : std::max(0.0, figure - 1) / (max - 1);
+  };
+  double result = 0;
+  if (std::isfinite(bound.max))
+    result = share(value(summarize_distortion(measured), bound.measure), bound.max);
+  if (std::isfinite(bound.max_stretch))
+    result = std::max(result, share(stretch_quantile(measured, bound.stretch_share), bound.max_stretch));
+  return result;
 }
 
 } // namespace Atlas

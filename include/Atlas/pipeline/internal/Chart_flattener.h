@@ -10,6 +10,7 @@
 #include <Atlas/measure/distortion.h>
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/internal/Chart_slitter.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -32,8 +34,11 @@ namespace Atlas::internal {
 class Chart_flattener
 {
 public:
-  /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
-  static constexpr double share_for_joined_charts = 0.6;
+  /// Splits for the bound on distortion have to lower what exceeds it by this factor ...
+  static constexpr double least_gain_of_splits = 0.8;
+  /// ... within so many generations of pieces: a surface that is rough at the scale of its triangles is not
+  /// mended by cutting it up.
+  static constexpr int generations_in_vain = 4;
   /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
   /// pieces.
   static constexpr std::size_t work_of_joining = 5;
@@ -43,7 +48,8 @@ public:
   /// \param segmentation  is changed where charts are split or joined
   Chart_flattener(const Surface& surface, Segmentation& segmentation, const Policies& policies,
                   const Execution& execution)
-      : surface_(surface), segmentation_(segmentation), policies_(policies), execution_(execution)
+      : surface_(surface), segmentation_(segmentation), policies_(policies), execution_(execution),
+        slitter_(surface, segmentation)
   {}
 
   /// \param texel  about the side of a texel in units of the model
@@ -52,6 +58,8 @@ public:
   {
     texel_ = texel;
     bound_ = bound;
+    if (std::isfinite(bound.max) || std::isfinite(bound.max_stretch))
+      yardstick_ = bound;
     std::vector<Index> all(segmentation_.number_of_charts);
     std::iota(all.begin(), all.end(), Index(0));
     flatten(std::move(all));
@@ -83,10 +91,18 @@ public:
   std::size_t rejoined_pieces() const { return rejoined_pieces_; }
 
 private:
+  /// What splits for the bound on distortion have done to a chart so far.
+  struct Split_history
+  {
+    double used = std::numeric_limits<double>::infinity(); ///< of the bound when that was last lowered
+    int in_vain = 0;                                       ///< generations of pieces since then
+  };
+
   /// Flattens the charts of the given numbers, splitting what is refused, until every chart is accepted.
   void flatten(std::vector<Index> open)
   {
     charts_.resize(segmentation_.number_of_charts);
+    history_.resize(segmentation_.number_of_charts);
     std::size_t done = 0, total = 0;
     for (const auto& list : lists_of(open))
       total += list.size();
@@ -94,7 +110,7 @@ private:
       std::vector<Flattened_chart> results = flatten_once(open);
       std::vector<Index> split;
       for (std::size_t i = 0; i < open.size(); ++i) {
-        if (is_final(results[i], round)) {
+        if (is_final(open[i], results[i], round)) {
           done += results[i].chart.number_of_triangles();
           charts_[open[i]] = std::move(results[i]);
         } else if (!this->split(open[i], results[i], round >= policies_.repair.first_halving_round, split)) {
@@ -107,9 +123,17 @@ private:
     }
   }
 
-  bool is_final(const Flattened_chart& result, int round) const
+  /// Whether the chart stays as it is. Takes note of how splits for the bound have fared.
+  bool is_final(Index number, const Flattened_chart& result, int round)
   {
     const Chart_status status = result.verdict.status;
+    if (status == Chart_status::bound_exceeded) {
+      const double used = used_share(triangle_distortions(result.chart), yardstick_);
+      Split_history& history = history_[number];
+      const bool has_gained = std::isfinite(used) && used <= least_gain_of_splits * history.used;
+      history = has_gained ? Split_history{used, 0} : Split_history{history.used, history.in_vain + 1};
+      return history.in_vain >= generations_in_vain;
+    }
     return status == Chart_status::valid ||
            (status == Chart_status::area_ratio_exceeded && round >= policies_.repair.max_bound_rounds);
   }
@@ -121,7 +145,11 @@ private:
     std::vector<Index> local(
         surface_.number_of_triangles()); // charts are disjoint: each writes its own entries
     execution_.for_each(open.size(), [&](std::size_t i) {
-      results[i] = flatten_chart(extract_chart(surface_, segmentation_, lists[i], local));
+      const auto flatten = [&](const std::vector<Index>& triangles) {
+        return flatten_chart(extract_chart(surface_, segmentation_, triangles, local));
+      };
+      results[i] = flatten(lists[i]);
+      slitter_(results[i], yardstick_, flatten);
     });
     return results;
   }
@@ -202,7 +230,8 @@ private:
       return;
     const auto accept = [&](const Flattened_chart& joined, const Flattened_chart& a,
                             const Flattened_chart& b) {
-      return joined.verdict.is_valid() && is_no_worse(joined.chart, a.chart, b.chart);
+      return (joined.verdict.is_valid() || are_all_beyond_bound(joined, a, b)) &&
+             is_no_worse(joined.chart, a.chart, b.chart);
     };
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
     rejoined_pieces_ =
@@ -211,7 +240,16 @@ private:
     close_gaps(segmentation_, charts_);
   }
 
-  /// Whether a chart has no more distortion than the two it came from have on average, or keeps well within
+  /// Pieces of a chart that was split in vain may find together again.
+  static bool are_all_beyond_bound(const Flattened_chart& joined, const Flattened_chart& a,
+                                   const Flattened_chart& b)
+  {
+    return joined.verdict.status == Chart_status::bound_exceeded &&
+           a.verdict.status == Chart_status::bound_exceeded &&
+           b.verdict.status == Chart_status::bound_exceeded;
+  }
+
+  /// Whether a chart has no more distortion than the two it came from have on average, or keeps
   /// the bound.
   bool is_no_worse(const Chart& joined, const Chart& a, const Chart& b) const
   {
@@ -220,9 +258,7 @@ private:
     };
     const double area_a = area_3d(a), area_b = area_3d(b);
     const double mean = (area_a * distortion(a) + area_b * distortion(b)) / (area_a + area_b);
-    // Means hide what is bad near the piece.
-    const double share = is_mean(bound_.measure) ? share_for_joined_charts : 1;
-    return distortion(joined) <= std::max(mean, 1 + share * (bound_.max - 1));
+    return distortion(joined) <= std::max(mean, bound_.max);
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
@@ -245,6 +281,7 @@ private:
       if (name == no_index) {
         name = i == 0 ? number : segmentation_.number_of_charts++;
         changed.push_back(name);
+        history_.resize(segmentation_.number_of_charts, history_[number]);
       }
       segmentation_.chart[source[i]] = name;
     }
@@ -279,6 +316,7 @@ private:
       return {};
     std::vector<Index> open = cut_to_discs(surface_, segmentation_, split, execution_);
     charts_.resize(segmentation_.number_of_charts);
+    history_.resize(segmentation_.number_of_charts);
     is_piece_.resize(segmentation_.number_of_charts, 0);
     for (const Index c : open)
       is_piece_[c] = 1;
@@ -316,10 +354,14 @@ private:
   Segmentation& segmentation_;
   const Policies& policies_;
   const Execution& execution_;
+  Chart_slitter slitter_;
 
   double texel_ = 0;
   Distortion_bound bound_;
+  /// What tells whether cuts help: the bound, or the mean energy where the validator alone has a bound.
+  Distortion_bound yardstick_{Distortion_measure::symmetric_dirichlet, 2};
   std::vector<Flattened_chart> charts_;
+  std::vector<Split_history> history_; ///< per chart
   std::vector<std::uint8_t> is_piece_; ///< per chart: whether it came from a refused one
   std::size_t split_charts_ = 0, rejoined_pieces_ = 0;
 };

@@ -45,6 +45,12 @@ inline double max_density_ratio(const Merge_options& options)
   return is_bounded ? options.max_distortion : default_density_ratio;
 }
 
+/// The bound that charts are split for; none where wishes go before.
+inline Distortion_bound kept_bound(const Merge_options& options)
+{
+  return options.max_charts > 0 || options.min_chart_area > 0 ? Distortion_bound() : bound_of(options);
+}
+
 /// How unions of charts are flattened for trial.
 inline Any_parameterizer trial_parameterizer(Optimize_charts optimize)
 {
@@ -81,7 +87,7 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
                               Identity_optimizer(), options),
           Bijective_parameterizer(optimize),
           Identity_optimizer(),
-          Exact_validator(internal::max_density_ratio(options), quantile),
+          Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),
           Culprit_splitter(quantile),
           Raster_packer(),
           {}};

@@ -25,7 +25,8 @@ struct Atlas_request
   std::optional<Merge_options> merge_options;
   std::optional<std::size_t> max_charts;
   double min_chart_texels = 0;
-  double hard_angle = 0; ///< degrees; 0: none
+  double hard_angle = 0;        ///< degrees; 0: none
+  bool is_straightened = false; ///< whether grids of quadrilaterals become rectangles
   unsigned threads = 0;
   Progress progress;
 

@@ -5,8 +5,10 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/check_surface.h>
+#include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/pipeline/internal/Atlas_pipeline.h>
 #include <Atlas/pipeline/internal/run_atlas.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
 
 #include <cmath>
 
@@ -44,7 +46,7 @@ inline Policies first_policies(const Atlas_request& request)
 }
 
 /// The policies of the mode, and those that are given in their place.
-inline Policies policies_of(const Atlas_request& request)
+inline Policies policies_of(const Surface& surface, const Atlas_request& request)
 {
   Policies policies = first_policies(request);
   policies.segmentation = request.segmentation.value_or(policies.segmentation);
@@ -53,6 +55,12 @@ inline Policies policies_of(const Atlas_request& request)
   policies.validator = request.validator.value_or(policies.validator);
   policies.splitter = request.splitter.value_or(policies.splitter);
   policies.packer = request.packer.value_or(policies.packer);
+  if (request.is_straightened) {
+    const Distortion_bound bound =
+        policies.segmentation.bound().value_or(bound_of(merge_options_of(request)));
+    policies.segmentation = Straight_segmentation(policies.segmentation, bound);
+    policies.parameterizer = Straight_parameterizer(surface.face, policies.parameterizer, bound);
+  }
   return policies;
 }
 
@@ -74,7 +82,7 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   require(std::isfinite(request.min_chart_texels) && request.min_chart_texels >= 0, "min_chart_texels",
           "must be finite and not negative");
   check_wishes(request);
-  const Policies policies = policies_of(request);
+  const Policies policies = policies_of(surface, request);
   Page_options page = request.page;
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters

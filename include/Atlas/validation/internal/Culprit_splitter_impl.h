@@ -4,14 +4,31 @@
 
 #include <Atlas/core/errors.h>
 #include <Atlas/validation/Culprit_splitter.h>
+#include <Atlas/validation/internal/Worst_place.h>
 #include <Atlas/validation/internal/chart_densities.h>
 #include <Atlas/validation/internal/chart_faults.h>
 #include <Atlas/validation/internal/split_chart.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Atlas {
+
+namespace internal {
+
+/// Two parts, by a short cut through the place with most distortion.
+inline std::vector<Index> cut_at_worst_place(const Chart& chart)
+{
+  const auto length = [&](Index h) {
+    const Index g = next_halfedge(h);
+    return std::sqrt(CGAL::squared_distance(chart.points[chart.triangles[h / 3][h % 3]],
+                                            chart.points[chart.triangles[g / 3][g % 3]]));
+  };
+  return Worst_place(chart, length).parts();
+}
+
+} // namespace internal
 
 ATLAS_INLINE Culprit_splitter::Culprit_splitter(double area_quantile) : area_quantile_(area_quantile)
 {
@@ -37,6 +54,8 @@ ATLAS_INLINE std::vector<Index> Culprit_splitter::split(const Chart& chart,
           find_overlaps(internal::triangles_uv(chart), Execution(), internal::max_pairs_of_zone));
     else if (verdict.status == Chart_status::area_ratio_exceeded)
       parts = internal::Chart_densities(chart, area_quantile_).split(graph);
+    else if (verdict.status == Chart_status::bound_exceeded)
+      parts = internal::cut_at_worst_place(chart);
     else if (verdict.status == Chart_status::flipped && is_flipped_later())
       parts = internal::cut_off_small(chart, graph, verdict.culprits);
     else if (verdict.status == Chart_status::flipped)

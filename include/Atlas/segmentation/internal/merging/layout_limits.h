@@ -20,10 +20,13 @@ inline double solidity(const Chart& layout)
 /// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
-  const Atlas::Distortion distortion = measure_distortion(layout);
-  if (std::isfinite(factor) && !(value(distortion, options.measure) <=
-                                 1 + factor * options.share_for_trials * (options.max_distortion - 1)))
-    return false;
+  if (std::isfinite(factor)) {
+    Distortion_bound bound = bound_of(options);
+    bound.max = 1 + factor * options.share_for_trials * (bound.max - 1);
+    bound.max_stretch = 1 + factor * options.share_for_trials * (bound.max_stretch - 1);
+    if (!(used_share(triangle_distortions(layout), bound) <= 1))
+      return false;
+  }
   for (const auto& [u, v, w] : layout.triangles)
     if (CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&
         CGAL::squared_area(layout.points[u], layout.points[v], layout.points[w]) > 0)

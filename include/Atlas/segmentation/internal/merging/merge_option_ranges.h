@@ -16,6 +16,11 @@ inline void require_valid(const Merge_options& options)
   if (!(options.max_distortion >= 1))
     throw Invalid_argument("max_distortion",
                            "must be at least 1, but is " + std::to_string(options.max_distortion));
+  if (!(options.max_stretch >= 1))
+    throw Invalid_argument("max_stretch",
+                           "must be at least 1, but is " + std::to_string(options.max_stretch));
+  require_share(options.max_stretch_share, "max_stretch_share");
+  require_positive(options.max_stretch_share, "max_stretch_share");
   require_share(options.share_for_trials, "share_for_trials");
   require_positive(options.share_for_trials, "share_for_trials");
   require_share(options.max_area_share, "max_area_share");
