@@ -11,6 +11,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What is bounded besides the mean, and what the bounds allow.
+void add_stretch_options(CLI::App& app, Options& options)
+{
+  CLI::Option* max_stretch =
+      app.add_option(
+             "--max-stretch", options.max_stretch,
+             "Besides, no length in a chart is stretched or shrunk by more than this factor, the chart "
+             "scaled to its area in space. Charts that exceed this or --max-distortion are cut until "
+             "they do not, or the report tells why. Default: 2.5")
+          ->check(CLI::Range(1.0, 1e6));
+  app.add_option("--max-stretch-share", options.max_stretch_share,
+                 "The share of each chart's area that has to keep --max-stretch; 1: every triangle. "
+                 "Default: 0.99")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->needs(max_stretch);
+  app.add_flag(
+      "--straighten", options.is_straightened,
+      "Make rectangles of regular grids of quadrilaterals (a tube, a road, a rope), rows and columns "
+      "on straight lines, where the bounds on distortion allow it");
+}
+
 /// What charts are to be like.
 void add_chart_options(CLI::App& app, Options& options)
 {
@@ -35,18 +56,6 @@ void add_chart_options(CLI::App& app, Options& options)
       ->check(CLI::IsMember({"symmetric-dirichlet", "l2-stretch", "linf-stretch", "area-ratio",
                              "area-ratio-quantiles", "quasi-conformal"}))
       ->needs(max_distortion);
-  CLI::Option* max_stretch =
-      app.add_option(
-             "--max-stretch", options.max_stretch,
-             "Besides, no length in a chart is stretched or shrunk by more than this factor, the chart "
-             "scaled to its area in space. Charts that exceed this or --max-distortion are cut until "
-             "they do not, or the report tells why. Default: 2.5")
-          ->check(CLI::Range(1.0, 1e6));
-  app.add_option("--max-stretch-share", options.max_stretch_share,
-                 "The share of each chart's area that has to keep --max-stretch; 1: every triangle. "
-                 "Default: 0.99")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->needs(max_stretch);
   app.add_option(
       "--max-charts", options.max_charts,
       "Merge on until there are at most so many charts, as far as they stay discs. Default: no limit");
@@ -56,10 +65,6 @@ void add_chart_options(CLI::App& app, Options& options)
   app.add_option("--hard-angle", options.hard_angle,
                  "Cut at edges where normals turn by more than so many degrees. Default: none")
       ->check(CLI::Range(0.0, 180.0));
-  app.add_flag(
-      "--straighten", options.is_straightened,
-      "Make rectangles of regular grids of quadrilaterals (a tube, a road, a rope), rows and columns "
-      "on straight lines, where the bounds on distortion allow it");
   app.add_flag("--separate-materials", options.separates_materials,
                "Let no chart have faces of two materials");
   app.add_option(
@@ -170,6 +175,7 @@ void declare_options(CLI::App& app, Options& options)
       "the current directory. Of several meshes each gets a model whose name adds its own stem, `out.obj` "
       "becomes `out_<stem of MESH>.obj`, and they share all other files; default: atlas.obj");
   add_chart_options(app, options);
+  add_stretch_options(app, options);
   add_stage_options(app, options.stages);
   add_input_options(app, options);
   add_packing_options(app, options);

@@ -319,19 +319,6 @@ private:
       share /= std::max(count, 1.0);
   }
 
-  Excess_reason reason_for_excess(const Flattened_chart& f) const
-  {
-    const std::vector<Index>& source = f.chart.source;
-    if (surface_.face[source.front()] == surface_.face[source.back()])
-      return Excess_reason::single_face;
-    if (f.verdict.status == Chart_status::bound_exceeded)
-      return Excess_reason::split_in_vain;
-    if (f.verdict.status == Chart_status::area_ratio_exceeded)
-      return Excess_reason::density_given_up;
-    const bool is_kept = used_share(triangle_distortions(f.chart), report_.bound) <= 1;
-    return is_kept ? Excess_reason::rounded : Excess_reason::not_asked_for;
-  }
-
   void summarize()
   {
     report_.split_charts = flattener_.split_charts();
@@ -355,7 +342,7 @@ private:
       chart.stretch = stretch_quantile(measured[i], report_.bound.stretch_share);
       chart.is_within_bound = chart.area == 0 || used_share(measured[i], report_.bound) <= 1;
       if (!chart.is_within_bound)
-        chart.reason = reason_for_excess(flat);
+        chart.reason = reason_for_excess(surface_, flat, report_.bound);
       chart.unoptimized = unoptimized[i].empty() ? chart.distortion : summarize_distortion(unoptimized[i]);
       chart.flattening = flat.record;
     });

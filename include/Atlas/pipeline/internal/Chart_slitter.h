@@ -7,6 +7,7 @@
 #include <Atlas/core/internal/cuts.h>
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/segmentation/internal/surface/Seam_costs.h>
 #include <Atlas/validation/internal/Worst_place.h>
 
@@ -17,6 +18,21 @@
 #include <vector>
 
 namespace Atlas::internal {
+
+/// Why a flattened chart exceeds the bound once its coordinates are rounded.
+inline Excess_reason reason_for_excess(const Surface& surface, const Flattened_chart& f,
+                                       const Distortion_bound& bound)
+{
+  const std::vector<Index>& source = f.chart.source;
+  if (surface.face[source.front()] == surface.face[source.back()])
+    return Excess_reason::single_face;
+  if (f.verdict.status == Chart_status::bound_exceeded)
+    return Excess_reason::split_in_vain;
+  if (f.verdict.status == Chart_status::area_ratio_exceeded)
+    return Excess_reason::density_given_up;
+  const bool is_kept = used_share(triangle_distortions(f.chart), bound) <= 1;
+  return is_kept ? Excess_reason::rounded : Excess_reason::not_asked_for;
+}
 
 /// \brief Opens charts that exceed their bound by slits, where few of them will do.
 ///

@@ -67,6 +67,18 @@ ATLAS_INLINE Json to_json(const Flattening_record& record)
           {"border_was_guarded", record.distortion.was_border_guarded}};
 }
 
+namespace internal {
+
+inline Json to_json(const Distortion_bound& bound)
+{
+  return {{"measure", name(bound.measure)},
+          {"max", bound.max},
+          {"max_stretch", bound.max_stretch},
+          {"max_stretch_share", bound.stretch_share}};
+}
+
+} // namespace internal
+
 ATLAS_INLINE Json to_json(const Atlas_report& report)
 {
   Json rejected = Json::array(), charts = Json::array(), seconds = Json::object();
@@ -104,11 +116,7 @@ ATLAS_INLINE Json to_json(const Atlas_report& report)
           {"split_charts", report.split_charts},
           {"rejoined_pieces", report.rejoined_pieces},
           {"stacked_charts", report.stacked_charts},
-          {"bound",
-           {{"measure", name(report.bound.measure)},
-            {"max", report.bound.max},
-            {"max_stretch", report.bound.max_stretch},
-            {"max_stretch_share", report.bound.stretch_share}}},
+          {"bound", internal::to_json(report.bound)},
           {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},
           {"seam_length", report.seam_length},
