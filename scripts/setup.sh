@@ -61,14 +61,21 @@ install_clang() {
   install_packages "libclang-rt-$version-dev"
 }
 
-# demo_mesh FILE: extracts a mesh of the package libcgal-demo to ./atlas_output and prints its path.
-demo_mesh() {
+# demo_archive: the archive of meshes of the package libcgal-demo.
+demo_archive() {
   local archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  install_packages libcgal-demo
+  # Slim container images are told not to install documentation, which is where the meshes are.
+  [ -r "$archive" ] || archive=$(unpack_documentation libcgal-demo "$archive")
+  printf '%s\n' "$archive"
+}
+
+# demo_mesh FILE: extracts a mesh of that archive to ./atlas_output and prints its path.
+demo_mesh() {
+  local archive
   mkdir -p atlas_output
   if [ ! -e "atlas_output/$1" ]; then
-    install_packages libcgal-demo
-    # Slim container images are told not to install documentation, which is where the meshes are.
-    [ -r "$archive" ] || archive=$(unpack_documentation libcgal-demo "$archive")
+    archive=$(demo_archive)
     tar --extract --gzip --to-stdout --file "$archive" "data/meshes/$1" >"atlas_output/$1.part"
     mv "atlas_output/$1.part" "atlas_output/$1"
   fi
@@ -87,13 +94,16 @@ unpack_documentation() {
 build() {
   local preset=$1 target=$2
   shift 2
-  local launcher=()
+  local options=()
   if command -v ccache >/dev/null; then
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
-    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
+  case $preset in # those that build tests, which have meshes to work on
+    test | sanitize*) options+=("-DATLAS_DEMO_MESH_ARCHIVE=$(demo_archive)") ;;
+  esac
   say "Configuring and building $target in build/$preset"
-  (cd "$atlas_root" && cmake --preset "$preset" "${launcher[@]}" "$@" >&2) || die "CMake failed"
+  (cd "$atlas_root" && cmake --preset "$preset" "${options[@]}" "$@" >&2) || die "CMake failed"
   cmake --build "$atlas_root/build/$preset" --target "$target" >&2 || die "the build failed"
 }
 

@@ -25,7 +25,7 @@ void expect_valid(const std::vector<Chart>& charts, const Packing& packing, cons
 template <typename Packer>
 class Baseline_packer : public testing::Test
 {};
-using Baselines = testing::Types<Horizon_packer, Rectangle_packer>;
+using Baselines = testing::Types<Horizon_packer, Rectangle_packer, Row_packer>;
 TYPED_TEST_SUITE(Baseline_packer, Baselines);
 
 TYPED_TEST(Baseline_packer, keeps_the_gutter_on_random_charts)
@@ -91,6 +91,34 @@ TEST(Rectangle_packer, fills_the_page_with_a_square)
       Rectangle_packer().pack(std::vector{rectangle_chart(3, 3)}, {128, 128, 2}, Execution(1));
   EXPECT_LE(packing.density * 3, 126);
   EXPECT_GE(packing.density * 3, 126 * 0.998);
+}
+
+TEST(Row_packer, makes_rows_of_decreasing_height)
+{
+  // Two rows of two on a page that is as wide as the first two; a skyline would put the last beside the
+  // third.
+  const std::vector<Chart> charts{rectangle_chart(3, 2), rectangle_chart(1, 4), rectangle_chart(1, 1.5),
+                                  rectangle_chart(2, 3)};
+  const Page_options page{64, 96, 0};
+  const Packing packing = Row_packer().pack(charts, page, Execution(1));
+  expect_valid(charts, packing, page, "rows");
+  std::vector<double> bottom;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    double low = HUGE_VAL, high = -HUGE_VAL, left = HUGE_VAL, right = -HUGE_VAL;
+    for (const Point_2& p : charts[i].uv) {
+      const Point_2 q = packing.placements[i](p);
+      low = std::min(low, q.y());
+      high = std::max(high, q.y());
+      left = std::min(left, q.x());
+      right = std::max(right, q.x());
+    }
+    EXPECT_GE(high - low, right - left - 1e-9) << i; // upright
+    bottom.push_back(low);
+  }
+  // Heights are 3, 4, 1.5, 3: the second comes first, then, of equal height, the first and the last.
+  EXPECT_NEAR(bottom[1], bottom[0], 0.1);
+  EXPECT_LT(bottom[1], bottom[2]);
+  EXPECT_LE(bottom[3], bottom[2] + 0.1);
 }
 
 TEST(Horizon_packer, fits_the_page_with_the_diameter)

@@ -167,7 +167,7 @@ void set_validator(const Stage_names& names, Atlas_mode mode, Policies& policies
   const double quantile = is_paper ? 0 : default_density_quantile;
   if (or_else(names.validator, is_paper ? "stencil" : "exact") == "stencil") {
     policies.validator = Stencil_validator(default_stencil_resolution, ratio);
-    policies.splitter = Culprit_splitter();
+    policies.splitter = Stencil_validator(default_stencil_resolution, ratio);
   } else if (is_paper || names.max_area_ratio >= 0) {
     policies.validator = Exact_validator(ratio, quantile);
     policies.splitter = Culprit_splitter(quantile);

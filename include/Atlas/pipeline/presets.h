@@ -113,7 +113,9 @@ inline Policies preset(Atlas_mode mode = Atlas_mode::standard)
 /// - `parameterizer`: `LSCM_parameterizer` with `Paper_LSCM_traits`: conjugate gradients, pins at the ends of
 ///   the graph's diameter
 /// - `optimizer`: `Identity_optimizer`; the paper's optional one is `Stretch_optimizer`
-/// - `splitter`: `Culprit_splitter`
+/// - `splitter`: `Culprit_splitter`; `Stencil_validator` can take its place, as it does where only the mode
+/// and
+///   the validator are given to `generate_atlas()`
 /// - `packer`: `Horizon_packer`
 /// - `repair`: `Repair_options::paper()`
 ///
