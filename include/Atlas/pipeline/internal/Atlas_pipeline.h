@@ -122,26 +122,10 @@ private:
     std::swap(charted_.points, positions);
   }
 
-  /// Sets charts and segmentation to those of the whole surface.
-  void collect_charts()
-  {
-    if (!parts_.is_empty()) {
-      segmentation_ = parts_.expand(surface_, charted_segmentation_, charted_chart_);
-      charts_ = parts_.expand(surface_, segmentation_, flattener_.charts());
-      return;
-    }
-    segmentation_ = charted_segmentation_;
-    charts_.clear();
-    charted_chart_.clear();
-    for (const Flattened_chart& f : flattener_.charts()) {
-      charted_chart_.push_back(static_cast<Index>(charts_.size()));
-      charts_.push_back(f.chart);
-    }
-  }
-
   void pack()
   {
-    collect_charts();
+    segmentation_ = parts_.expand(surface_, charted_segmentation_, charted_chart_);
+    charts_ = parts_.expand(surface_, segmentation_, flattener_.charts());
     if (!surface_.density_weight.empty())
       page_.weights = chart_weights();
     if (std::exchange(page_.has_free_aspect, false))

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -58,6 +60,10 @@ public:
   Segmentation expand(const Surface& surface, const Segmentation& of_models,
                       std::vector<Index>& model_of_chart) const
   {
+    model_of_chart.resize(of_models.number_of_charts);
+    std::iota(model_of_chart.begin(), model_of_chart.end(), Index(0));
+    if (is_empty())
+      return of_models;
     Segmentation result{std::vector<Index>(surface.number_of_triangles(), no_index),
                         std::vector<std::uint8_t>(3 * surface.number_of_triangles(), 0),
                         of_models.number_of_charts};
@@ -66,9 +72,6 @@ public:
       for (Index i = 0; i < 3; ++i)
         result.cut[3 * origin_[t] + i] = of_models.cut[3 * t + i];
     }
-    model_of_chart.clear();
-    for (Index c = 0; c < of_models.number_of_charts; ++c)
-      model_of_chart.push_back(c);
     for (const Copy& copy : copies_) {
       std::map<Index, Index> number;
       for (const auto& [h, m] : copy.sides) {
@@ -93,6 +96,8 @@ public:
     std::vector<Point_2> uv(surface.number_of_corners);
     for (const Flattened_chart& f : of_models) {
       charts.push_back(f.chart);
+      if (is_empty())
+        continue;
       Chart& chart = charts.back();
       for (Index& t : chart.source)
         t = origin_[t];
@@ -100,6 +105,8 @@ public:
         for (Index i = 0; i < 3; ++i)
           uv[surface.corner[3 * chart.source[t] + i]] = chart.uv[chart.triangles[t][i]];
     }
+    if (is_empty())
+      return charts;
     for (const Copy& copy : copies_)
       for (const auto& [h, m] : copy.sides) {
         const Point_2& p = uv[surface.corner[m]];

@@ -79,10 +79,18 @@ inline bool has_image_in(const std::vector<Vec2>& from, Vec2 turn, bool is_mirro
          });
 }
 
-/// The motion that takes the border `from` to the border `to` within 1e-4 of the radius, if there is one.
+/// A motion that takes a border to another, and by how much a point is off at most.
+struct Congruence
+{
+  Motion_2 motion;
+  double error = 0;
+};
+
+/// The motion that takes the border `from` nearest to the border `to`, if there is one within 1e-4 of the
+/// radius.
 /// Chains start at their point farthest from the centre, so few starts come into question.
-inline std::optional<Motion_2> congruence(const Congruence_key& from, const Congruence_key& to,
-                                          bool is_mirrored)
+inline std::optional<Congruence> congruence(const Congruence_key& from, const Congruence_key& to,
+                                            bool is_mirrored)
 {
   const std::size_t n = to.border.size();
   const double tolerance = 1e-4 * to.radius;
@@ -96,6 +104,8 @@ inline std::optional<Motion_2> congruence(const Congruence_key& from, const Cong
     std::reverse(border.begin(), border.end());
   }
   int starts = 0;
+  double least = tolerance;
+  std::optional<Congruence> best;
   for (std::size_t k = 0; k < n && starts < 64; ++k) {
     if (std::abs(length(border[k]) - length(to.border[0])) > tolerance)
       continue;
@@ -103,16 +113,29 @@ inline std::optional<Motion_2> congruence(const Congruence_key& from, const Cong
     const Vec2 p = border[k], q = to.border[0];
     Vec2 turn{dot(p, q), cross(p, q)};
     turn = (1 / length(turn)) * turn;
-    bool is_equal = true;
-    for (std::size_t i = 0; i < n && is_equal; ++i)
-      is_equal = length(rotated(turn, border[(k + i) % n]) - to.border[i]) <= tolerance;
-    if (!is_equal || !has_image_in(from.holes, turn, is_mirrored, to.holes, tolerance))
+    double error = 0;
+    for (std::size_t i = 0; i < n && error <= least; ++i)
+      error = std::max(error, length(rotated(turn, border[(k + i) % n]) - to.border[i]));
+    if (!(error <= least) || (best && error == least) ||
+        !has_image_in(from.holes, turn, is_mirrored, to.holes, tolerance))
       continue;
-    Motion_2 motion{turn, {}, is_mirrored};
-    motion.shift = to.centre - motion(from.centre);
-    return motion;
+    least = error;
+    best = Congruence{{turn, {}, is_mirrored}, error};
+    best->motion.shift = to.centre - best->motion(from.centre);
   }
-  return std::nullopt;
+  return best;
+}
+
+/// The motion that takes one border to another. A reflection where there is no other, or where that is much
+/// nearer: of a triangle with two sides that are nearly equal.
+inline std::optional<Congruence> best_congruence(const Congruence_key& from, const Congruence_key& to,
+                                                 bool is_mirroring_allowed)
+{
+  const std::optional<Congruence> plain = congruence(from, to, false);
+  if (!is_mirroring_allowed || (plain && plain->error <= 1e-7 * to.radius))
+    return plain;
+  const std::optional<Congruence> mirrored = congruence(from, to, true);
+  return !plain || (mirrored && mirrored->error < 0.1 * plain->error) ? mirrored : plain;
 }
 
 /// What is packed in place of the charts: charts in the size their weight asks for, groups as one piece,
@@ -254,11 +277,8 @@ private:
       bool is_copy = false;
       for (std::size_t k = 0; k < 32 && k < models.size() && !is_copy; ++k) {
         const Index model = models[models.size() - 1 - k];
-        std::optional<Motion_2> motion = congruence(*keys[i], *keys[model], false);
-        if (!motion && is_mirroring_allowed)
-          motion = congruence(*keys[i], *keys[model], true);
-        if (motion) {
-          copy_of[i] = {model, *motion};
+        if (const auto found = best_congruence(*keys[i], *keys[model], is_mirroring_allowed)) {
+          copy_of[i] = {model, found->motion};
           is_copy = true;
         }
       }
