@@ -13,6 +13,7 @@
 #include <Atlas/validation/Exact_validator.h>
 
 #include "Scene.h"
+#include "stand_up.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -35,16 +36,6 @@ struct Arguments
   std::vector<double> ball; ///< centre and radius
   Atlas::Feature_segmentation segmentation;
 };
-
-/// Turns the model so that the named axis points up.
-std::vector<Atlas::Point_3> stand_up(std::vector<Atlas::Point_3> points, const std::string& up)
-{
-  const int axis = up.back() - 'x';
-  const double sign = up.front() == '-' ? -1 : 1;
-  for (Atlas::Point_3& p : points)
-    p = Atlas::Point_3(p[(axis + 2) % 3], sign * p[axis], sign * p[(axis + 1) % 3]);
-  return points;
-}
 
 /// Draws one surface in many ways.
 class Illustrator

@@ -6,6 +6,7 @@
 #include <Atlas/image/Image.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/internal/base64.h>
+#include <Atlas/report/internal/histogram_svg.h>
 #include <Atlas/report/internal/report_page.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/soup/internal/Triangle_list.h>
@@ -64,29 +65,6 @@ inline std::string image_tag(const Image& image, const char* id)
 {
   return std::string("<img id=\"") + id + "\" alt=\"" + id + "\" src=\"data:image/png;base64," +
          base64(png_bytes(image)) + "\">\n";
-}
-
-/// Bars of a histogram as SVG, with ticks at equal distances.
-inline std::string histogram_svg(const Histogram& histogram, const std::vector<std::string>& ticks)
-{
-  constexpr double width = 480, height = 150, left = 34;
-  const double most = std::max(*std::max_element(histogram.share.begin(), histogram.share.end()), 1e-9);
-  std::ostringstream svg;
-  svg << "<svg viewBox=\"0 0 530 182\" role=\"img\"><rect x=\"34\" y=\"10\" width=\"480\" height=\"150\" "
-         "fill=\"#f6f6f3\"/>";
-  const double step = width / static_cast<double>(histogram.share.size());
-  for (std::size_t i = 0; i < histogram.share.size(); ++i) {
-    const double h = height * histogram.share[i] / most;
-    svg << "<rect x=\"" << left + step * static_cast<double>(i) + 0.5 << "\" y=\"" << 10 + height - h
-        << "\" width=\"" << step - 1 << "\" height=\"" << h << "\" fill=\"#365ca8\"/>";
-  }
-  for (std::size_t i = 0; i < ticks.size(); ++i)
-    svg << "<text text-anchor=\"middle\" x=\""
-        << left + width * static_cast<double>(i) / static_cast<double>(ticks.size() - 1) << "\" y=\"176\">"
-        << ticks[i] << "</text>";
-  svg.precision(3);
-  svg << "<text text-anchor=\"end\" x=\"508\" y=\"24\">highest bar " << 100 * most << " %</text></svg>\n";
-  return svg.str();
 }
 
 /// \brief Writes the page from top to bottom.

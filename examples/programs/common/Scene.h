@@ -99,16 +99,41 @@ public:
   /// A line is a rod with three sides that sticks out on either side of the surface.
   void add_line(const Atlas::Point_3& p, const Atlas::Point_3& q, int color)
   {
+    add_rod(p, q, radius_, color);
+  }
+
+  /// A line of a quarter of the thickness.
+  void add_thin_line(const Atlas::Point_3& p, const Atlas::Point_3& q, int color)
+  {
+    add_rod(p, q, radius_ / 4, color);
+  }
+
+  Atlas::Image picture(const Atlas::View_direction& view, std::size_t size) const
+  {
+    return picture(view, size, Palette::image());
+  }
+
+  /// \param texture  with the plain colours of the palette where lines have them
+  Atlas::Image picture(const Atlas::View_direction& view, std::size_t size, const Atlas::Image& texture) const
+  {
+    return render_model(soup_, texture, size, {view});
+  }
+
+private:
+  static constexpr Atlas::Index sides = 6;
+
+  void add_rod(const Atlas::Point_3& p, const Atlas::Point_3& q, double radius, int color)
+  {
     const Atlas::Vector_3 along = q - p;
     if (along.squared_length() == 0)
       return;
     const Atlas::Vector_3 least =
         std::abs(along.x()) < std::abs(along.y()) ? Atlas::Vector_3(1, 0, 0) : Atlas::Vector_3(0, 1, 0);
     Atlas::Vector_3 a = CGAL::cross_product(along, least);
-    a = a * (radius_ / std::sqrt(a.squared_length()));
+    a = a * (radius / std::sqrt(a.squared_length()));
     Atlas::Vector_3 b = CGAL::cross_product(along, a);
-    b = b * (radius_ / std::sqrt(b.squared_length()));
-    const Atlas::Vector_3 end = along * (radius_ / std::sqrt(along.squared_length())); // ends meet
+    b = b * (radius / std::sqrt(b.squared_length()));
+    const Atlas::Vector_3 end = along * (radius / std::sqrt(along.squared_length())); // ends meet
     const auto first = static_cast<Atlas::Index>(soup_.points.size());
     for (Atlas::Index i = 0; i < sides; ++i) {
       const double angle = 2 * CGAL_PI * i / sides;
@@ -124,13 +149,6 @@ public:
     }
   }
 
-  Atlas::Image picture(const Atlas::View_direction& view, std::size_t size) const
-  {
-    return render_model(soup_, Palette::image(), size, {view});
-  }
-
-private:
-  static constexpr Atlas::Index sides = 6;
   double radius_;
   Atlas::Polygon_soup soup_;
 };
