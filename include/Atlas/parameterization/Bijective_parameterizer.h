@@ -85,11 +85,38 @@ private:
   Distortion_bound bound_;
 };
 
+/// \brief Unrolls charts that are developable; all others go to another parameterizer.
+///
+/// A chart is developable if it can be laid into the plane triangle by triangle with all lengths as they are,
+/// within `max_stretch`, and does not cover itself there. So a box's net, a cylinder with a cut and a cone
+/// keep their exact shape. The image is turned so that most of its border is parallel to the axes. A model of
+/// `RecordingParameterizer`. O(n log n).
+class Isometric_parameterizer
+{
+public:
+  /// Largest stretch or compression of lengths at which a chart still counts as unrolled: what rounded
+  /// positions leave. 1 / 2000 of the area may have more.
+  static constexpr double max_stretch = 1.002;
+
+  /// \param other  flattens charts that are not developable
+  explicit Isometric_parameterizer(Any_parameterizer other);
+
+  /// \return `valid` for an unrolled chart; else what the other parameterizer says
+  Chart_status parameterize(Chart& chart, const Execution& execution) const;
+  /// \copydoc parameterize
+  /// \param record  as the other parameterizer leaves it; as by default for an unrolled chart
+  Chart_status parameterize(Chart& chart, const Execution& execution, Flattening_record& record) const;
+
+private:
+  Any_parameterizer other_;
+};
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/parameterization/internal/Bijective_parameterizer_impl.h>
 #include <Atlas/parameterization/internal/straight/Straight_parameterizer_impl.h>
+#include <Atlas/parameterization/internal/isometric/Isometric_parameterizer_impl.h>
 #endif
 
 #endif

@@ -68,9 +68,41 @@ private:
   Distortion_bound bound_;
 };
 
+/// \brief Nets where the surface is made of plane and unrollable pieces; the rest by another model.
+///
+/// Facets, which are triangles in one plane, are glued to nets like those of paper models: first along
+/// rulings, across which the surface bends smoothly, so that cylinders and cones unroll; then along creases,
+/// as long as the seam saved is worth the page that the larger net leaves empty. Nothing in a net is
+/// stretched, and no net covers itself or nearly touches itself. A facet with holes stays whole, so charts
+/// may have several border loops.
+///
+/// What counts as hard is told by the surface alone: components of which a good part lies in facets of several
+/// triangles that are large or have creases all around. Curved surfaces have none, and are left to the other
+/// model altogether. Deterministic.
+/// A model of `BoundedSegmentation`. O(n log n) for n triangles, and about O(k^2) for nets of k facets.
+class Developable_segmentation
+{
+public:
+  /// \param rest    segments what is not hard
+  /// \param packer  tells which nets fill a page well, of several that have about the same seams
+  Developable_segmentation(Any_segmentation rest, Any_packer packer);
+
+  const Any_segmentation& rest() const { return rest_; }
+  /// That of the other model.
+  Distortion_bound bound() const { return rest_.bound().value_or(Distortion_bound()); }
+
+  /// Once cancelled, returns the charts of that moment.
+  Segmentation segment(const Surface& surface, const Execution& execution) const;
+
+private:
+  Any_segmentation rest_;
+  Any_packer packer_;
+};
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/segmentation/internal/developable/Developable_segmentation_impl.h>
 #include <Atlas/segmentation/internal/merging/Merged_segmentation_impl.h>
 #include <Atlas/segmentation/internal/straight/Straight_segmentation_impl.h>
 #endif

@@ -11,6 +11,7 @@
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_slitter.h>
+#include <Atlas/pipeline/internal/close_cuts.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
@@ -65,6 +66,7 @@ public:
     flatten(std::move(all));
     if (policies_.repair.rejoin_pieces)
       rejoin();
+    close_cuts();
   }
 
   /// Splits charts that were flattened well but fail on the page, and flattens the pieces.
@@ -81,8 +83,10 @@ public:
       if (!split(number, f, false, changed))
         is_any_drawn |= draw_on_grid(f);
     }
-    if (!changed.empty())
+    if (!changed.empty()) {
       flatten(reopen(changed));
+      close_cuts();
+    }
     return !changed.empty() || is_any_drawn;
   }
 
@@ -238,6 +242,18 @@ private:
         Fragment_merger(surface_, segmentation_, charts_, flatten, accept, work_of_joining, execution_)
             .run(pieces);
     close_gaps(segmentation_, charts_);
+  }
+
+  /// Glues cuts that are none in the plane: charts with holes are discs only while they are flattened.
+  void close_cuts()
+  {
+    if (execution_.is_cancelled())
+      return;
+    std::vector<Index> local(surface_.number_of_triangles());
+    Cut_closer closer(surface_, segmentation_);
+    for (Flattened_chart& f : charts_)
+      if (f.chart.uv.size() == f.chart.points.size())
+        closer(f.chart, local);
   }
 
   /// Pieces of a chart that was split in vain may find together again.

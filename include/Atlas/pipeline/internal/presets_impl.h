@@ -83,9 +83,10 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
                     "Atlas::Rendering");
   const Optimize_charts optimize = internal::optimize_charts(mode);
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
-  return {Merged_segmentation(Variational_segmentation(), internal::trial_parameterizer(optimize),
-                              Identity_optimizer(), options),
-          Bijective_parameterizer(optimize),
+  Merged_segmentation curved(Variational_segmentation(), internal::trial_parameterizer(optimize),
+                             Identity_optimizer(), options);
+  return {Developable_segmentation(std::move(curved), Raster_packer()),
+          Isometric_parameterizer(Bijective_parameterizer(optimize)),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),
           Culprit_splitter(quantile),

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_LAYOUT_H
+#define ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_LAYOUT_H
+
+#include <Atlas/planar/internal/convex_hull.h>
+#include <Atlas/planar/internal/vectors.h>
+#include <Atlas/segmentation/internal/developable/Facets.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// A rotation by the unit complex number `turn`, then a translation.
+struct Rigid_motion
+{
+  Vec2 turn{1, 0}, shift{0, 0};
+
+  Vec2 operator()(Vec2 p) const { return rotated(turn, p) + shift; }
+  /// First `inner`, then this.
+  Rigid_motion after(const Rigid_motion& inner) const
+  {
+    Vec2 t = rotated(turn, inner.turn);
+    t = (1 / length(t)) * t;
+    return {t, (*this)(inner.shift)};
+  }
+};
+
+/// The motion that takes segment (p, q) onto segment (a, b) of the same length: middle onto middle.
+inline Rigid_motion motion_of_segment(Vec2 p, Vec2 q, Vec2 a, Vec2 b)
+{
+  const Vec2 d = q - p, e = b - a;
+  Vec2 turn{dot(d, e), cross(d, e)};
+  const double l = length(turn);
+  turn = l > 0 ? (1 / l) * turn : Vec2{1, 0};
+  return {turn, 0.5 * (a + b) - rotated(turn, 0.5 * (p + q))};
+}
+
+/// Per halfedge, where it starts in the plane of its facet: coordinates seen from outside.
+inline std::vector<Vec2> coordinates_in_facets(const Surface& surface, const Facets& facets)
+{
+  std::vector<std::array<Vector_3, 2>> axes(facets.count());
+  std::vector<Index> origin(facets.count(), no_index);
+  std::vector<double> longest(facets.count(), -1);
+  for (Index h = 0; h < 3 * facets.of_triangle.size(); ++h) {
+    const Index f = facets.of_triangle[h / 3];
+    if (const double l = edge_length(surface, h); l > longest[f]) {
+      longest[f] = l;
+      origin[f] = h;
+    }
+  }
+  for (Index f = 0; f < facets.count(); ++f) {
+    const Vector_3 e = surface.point(next_halfedge(origin[f])) - surface.point(origin[f]);
+    const Vector_3& n = facets.normal[f];
+    Vector_3 x = e - (e * n) * n;
+    const double l = std::sqrt(x.squared_length());
+    x = l > 0 ? x / l : Vector_3(1, 0, 0);
+    axes[f] = {x, CGAL::cross_product(n, x)};
+  }
+  std::vector<Vec2> local(3 * facets.of_triangle.size());
+  for (Index h = 0; h < local.size(); ++h) {
+    const Index f = facets.of_triangle[h / 3];
+    const Vector_3 d = surface.point(h) - surface.point(origin[f]);
+    local[h] = {d * axes[f][0], d * axes[f][1]};
+  }
+  return local;
+}
+
+/// Room that a set of points takes in the plane.
+struct Extent
+{
+  double rectangle = 0; ///< area of the least bounding rectangle
+  double side = 0;      ///< its longer side
+  double square = 0;    ///< side of a small square around it, in any of twelve directions
+  double hull = 0;      ///< area of the convex hull
+
+  /// About the area of a page that it takes.
+  double room() const { return (rectangle + hull) / 2; }
+};
+
+/// Width and height of the bounding rectangle with a side in the direction `e`.
+inline Vec2 size_along(const std::vector<Vec2>& points, Vec2 e)
+{
+  const Vec2 up{-e.y, e.x};
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const Vec2 p : points) {
+    low = {std::min(low.x, dot(e, p)), std::min(low.y, dot(up, p))};
+    high = {std::max(high.x, dot(e, p)), std::max(high.y, dot(up, p))};
+  }
+  return high - low;
+}
+
+inline Extent extent_of_hull(const std::vector<Vec2>& hull)
+{
+  const Vec2 e = least_rectangle_direction(hull), size = size_along(hull, e);
+  Extent result{size.x * size.y, std::max(size.x, size.y), std::max(size.x, size.y), 0};
+  constexpr int directions = 12;
+  for (int k = 1; k < directions; ++k) {
+    const double angle = k * CGAL_PI / (2 * directions);
+    const Vec2 turned = size_along(hull, rotated({std::cos(angle), std::sin(angle)}, e));
+    result.square = std::min(result.square, std::max(turned.x, turned.y));
+  }
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    result.hull += cross(hull[i] - hull[0], hull[(i + 1) % hull.size()] - hull[0]) / 2;
+  return result;
+}
+
+} // namespace Atlas::internal
+
+#endif
