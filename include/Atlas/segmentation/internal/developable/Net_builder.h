@@ -94,6 +94,16 @@ public:
     return sum / parts_->unit;
   }
 
+  /// The part of it across which the surface bends smoothly.
+  double length_of_open_rulings() const
+  {
+    double sum = 0;
+    for (Index a = 0; a < parts_->arcs.size(); ++a)
+      if (!is_glued_[a] && parts_->arcs[a].is_ruling)
+        sum += parts_->arcs[a].length;
+    return sum / parts_->unit;
+  }
+
   /// About the share of a page that the nets will fill.
   double fullness() const
   {

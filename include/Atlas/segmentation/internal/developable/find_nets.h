@@ -61,9 +61,8 @@ private:
   /// A page that is emptier than this counts like seams that are longer in this power of the ratio.
   static constexpr double enough_fullness = 0.72, exponent_of_fullness = 1.2;
   /// Pieces that unroll are cut where they get larger than a page that is full to one of these shares.
-  /// Patterns run on across rulings, so all but the first have to be much better.
+  /// Patterns run on across rulings, so seams there that the first share does not need count once more.
   static constexpr std::array shares_of_pieces{0.12, 0.7, 0.35};
-  static constexpr double price_of_cut_pieces = 1.25;
   /// Styles are tried as long as all arcs, counted once per style, are fewer; at least one.
   static constexpr std::size_t most_arcs_tried = 120'000;
   /// The least number of trials that are packed, if there are as many, and the facets in all of them together
@@ -74,7 +73,7 @@ private:
   struct Trial
   {
     std::unique_ptr<Net_builder> builder;
-    double price = 1, seams = 0, fullness = 0, cost = 0;
+    double cut_rulings = 0, seams = 0, fullness = 0, cost = 0;
   };
 
   static std::vector<Net_style> styles()
@@ -90,7 +89,7 @@ private:
   static double cost(const Trial& t)
   {
     const double fullness = std::min(t.fullness, enough_fullness);
-    return t.price * t.seams * std::pow(enough_fullness / fullness, exponent_of_fullness);
+    return (t.seams + t.cut_rulings) * std::pow(enough_fullness / fullness, exponent_of_fullness);
   }
 
   void make_trials(const Net_facets& parts)
@@ -109,7 +108,8 @@ private:
       trial.builder->glue_creases(all[i / pieces.size()]);
       trial.seams = trial.builder->seam_length();
       trial.fullness = trial.builder->fullness();
-      trial.price = i % pieces.size() == 0 ? 1 : price_of_cut_pieces;
+      const double least = pieces.front().length_of_open_rulings();
+      trial.cut_rulings = std::max(pieces[i % pieces.size()].length_of_open_rulings() - least, 0.0);
       trial.cost = cost(trial);
     });
   }
