@@ -35,6 +35,8 @@ namespace Atlas::internal {
 class Chart_flattener
 {
 public:
+  /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
+  static constexpr double share_for_joined_charts = 0.6;
   /// Splits for the bound on distortion have to lower what exceeds it by this factor ...
   static constexpr double least_gain_of_splits = 0.8;
   /// ... within so many generations of pieces: a surface that is rough at the scale of its triangles is not
@@ -265,7 +267,7 @@ private:
            b.verdict.status == Chart_status::bound_exceeded;
   }
 
-  /// Whether a chart has no more distortion than the two it came from have on average, or keeps
+  /// Whether a chart has no more distortion than the two it came from have on average, or keeps well within
   /// the bound.
   bool is_no_worse(const Chart& joined, const Chart& a, const Chart& b) const
   {
@@ -274,7 +276,9 @@ private:
     };
     const double area_a = area_3d(a), area_b = area_3d(b);
     const double mean = (area_a * distortion(a) + area_b * distortion(b)) / (area_a + area_b);
-    return distortion(joined) <= std::max(mean, bound_.max);
+    // Means hide what is bad near the piece.
+    const double share = is_mean(bound_.measure) ? share_for_joined_charts : 1;
+    return distortion(joined) <= std::max(mean, 1 + share * (bound_.max - 1));
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if
