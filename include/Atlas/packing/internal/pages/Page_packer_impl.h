@@ -140,7 +140,7 @@ inline double gain(const Filled_pages& a, const Filled_pages& b)
 }
 
 /// Gives up alignment of charts only if pages are fuller by this factor then.
-inline constexpr double least_gain = 1.02;
+inline constexpr double least_gain_of_free_rotation = 1.02;
 
 /// Puts pieces on pages, aligned with them as `page` says.
 inline Filled_pages fill_pages(std::span<const Chart> pieces, const Obstacles_of_pages& obstacles,
@@ -157,7 +157,8 @@ inline Filled_pages fill_pages(std::span<const Chart> pieces, const Obstacles_of
   const bool is_any_aligned = take_poses(outlines, pieces, page, execution);
   Filled_pages result = fill(std::move(outlines));
   if (page.rotation == Chart_rotation::any && is_any_aligned)
-    if (Filled_pages other = fill(free_again(plain, result.outlines)); gain(other, result) >= least_gain)
+    if (Filled_pages other = fill(free_again(plain, result.outlines));
+        gain(other, result) >= least_gain_of_free_rotation)
       result = std::move(other);
   return result;
 }
