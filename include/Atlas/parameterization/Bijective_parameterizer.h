@@ -115,8 +115,8 @@ private:
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/parameterization/internal/Bijective_parameterizer_impl.h>
-#include <Atlas/parameterization/internal/straight/Straight_parameterizer_impl.h>
 #include <Atlas/parameterization/internal/isometric/Isometric_parameterizer_impl.h>
+#include <Atlas/parameterization/internal/straight/Straight_parameterizer_impl.h>
 #endif
 
 #endif

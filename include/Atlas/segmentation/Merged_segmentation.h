@@ -76,10 +76,10 @@ private:
 /// stretched, and no net covers itself or nearly touches itself. A facet with holes stays whole, so charts
 /// may have several border loops.
 ///
-/// What counts as hard is told by the surface alone: components of which a good part lies in facets of several
-/// triangles that are large or have creases all around. Curved surfaces have none, and are left to the other
-/// model altogether. Deterministic.
-/// A model of `BoundedSegmentation`. O(n log n) for n triangles, and about O(k^2) for nets of k facets.
+/// What counts as hard is told by the surface alone: components of which a good part lies in facets of
+/// several triangles that are large or have creases all around. Curved surfaces have none, and are left to
+/// the other model altogether. Deterministic. A model of `BoundedSegmentation`. O(n log n) for n triangles,
+/// and about O(k^2) for nets of k facets.
 class Developable_segmentation
 {
 public:
