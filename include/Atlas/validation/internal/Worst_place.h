@@ -175,7 +175,8 @@ private:
     paths.cost[worst_] = 0;
     queue.emplace(0, worst_);
     while (!queue.empty()) {
-      const auto [cost, v] = queue.top();
+      const double cost = queue.top().first;
+      const Index v = queue.top().second;
       queue.pop();
       if (cost > paths.cost[v] || is_border_[v])
         continue;
