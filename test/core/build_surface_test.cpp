@@ -129,7 +129,7 @@ TEST(ChartStatus, EveryStatusHasAMessageOfItsOwn)
   std::set<std::string> messages;
   for (int i = 0; i <= static_cast<int>(Chart_status::cancelled); ++i)
     messages.insert(message(static_cast<Chart_status>(i)));
-  EXPECT_EQ(messages.size(), 7u);
+  EXPECT_EQ(messages.size(), 8u);
 }
 
 TEST(BuildSurface, TakesPolygonsAsCGALHasThem)

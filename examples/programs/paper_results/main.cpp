@@ -30,6 +30,22 @@ Named_mesh read_mesh(const std::string& argument)
   return mesh;
 }
 
+namespace {
+
+/// Reads all meshes, to be seen from one direction.
+std::vector<Named_mesh> read_meshes(const std::vector<std::string>& arguments,
+                                    const Atlas::View_direction& view)
+{
+  std::vector<Named_mesh> meshes;
+  for (const std::string& argument : arguments) {
+    meshes.push_back(read_mesh(argument));
+    meshes.back().view = view;
+  }
+  return meshes;
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 try {
   CLI::App app(
@@ -64,11 +80,7 @@ try {
   CLI11_PARSE(app, argc, argv);
 
   std::filesystem::create_directories(options.folder);
-  std::vector<Named_mesh> named;
-  for (const std::string& argument : meshes) {
-    named.push_back(read_mesh(argument));
-    named.back().view = view;
-  }
+  const std::vector<Named_mesh> named = read_meshes(meshes, view);
   if (*table_1)
     write_table_1(named.at(0), ball, options);
   if (*table_2)
