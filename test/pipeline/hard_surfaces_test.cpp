@@ -56,6 +56,13 @@ TEST(hard_surfaces, wanted_seam_between_holes_stays_one)
   const Atlas_report report = generate_atlas(surface, uv);
   ASSERT_TRUE(report.is_valid());
   EXPECT_NEAR(report.seam_length, length, 1e-9);
+  double open = 0;
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (const Index o = surface.opposite[h];
+        o != no_index && (uv[surface.corner[h]] != uv[surface.corner[next_halfedge(o)]] ||
+                          uv[surface.corner[next_halfedge(h)]] != uv[surface.corner[o]]))
+      open += std::sqrt(CGAL::squared_distance(surface.point(h), surface.point(next_halfedge(h)))) / 2;
+  EXPECT_NEAR(open, length, 1e-9) << "no other edge is open in the coordinates";
 }
 
 TEST(hard_surfaces, box_is_not_deformed)

@@ -61,8 +61,10 @@ private:
   /// A page that is emptier than this counts like seams that are longer in this power of the ratio.
   static constexpr double enough_fullness = 0.72, exponent_of_fullness = 1.2;
   /// Pieces that unroll are cut where they get larger than a page that is full to one of these shares.
-  /// Patterns run on across rulings, so seams there that the first share does not need count once more.
+  /// Patterns run on across rulings, so seams there that the first share does not need count so many times
+  /// more.
   static constexpr std::array shares_of_pieces{0.12, 0.7, 0.35};
+  static constexpr double price_of_cut_rulings = 2;
   /// Styles are tried as long as all arcs, counted once per style, are fewer; at least one.
   static constexpr std::size_t most_arcs_tried = 120'000;
   /// The least number of trials that are packed, if there are as many, and the facets in all of them together
@@ -89,7 +91,8 @@ private:
   static double cost(const Trial& t)
   {
     const double fullness = std::min(t.fullness, enough_fullness);
-    return (t.seams + t.cut_rulings) * std::pow(enough_fullness / fullness, exponent_of_fullness);
+    return (t.seams + price_of_cut_rulings * t.cut_rulings) *
+           std::pow(enough_fullness / fullness, exponent_of_fullness);
   }
 
   void make_trials(const Net_facets& parts)
