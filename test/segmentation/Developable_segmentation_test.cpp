@@ -10,6 +10,11 @@
 
 #include "test_meshes.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
 namespace Atlas::test {
 namespace {
 
@@ -270,6 +275,69 @@ TEST(Developable_segmentation, curved_surfaces_are_left_alone)
     std::size_t asked = 0;
     (void)Developable_segmentation(Record{&asked}, Raster_packer()).segment(surface, Execution(1));
     EXPECT_EQ(asked, surface.number_of_triangles());
+  }
+}
+
+/// A box of 3 x 2 x 1 with round edges and corners, in `n` steps: its six faces are two triangles each.
+Soup round_box(int n)
+{
+  Soup soup;
+  std::map<std::array<long, 3>, Index> number;
+  const auto point = [&](int row, int column) {
+    const int quarter = column / (n + 1) % 4;
+    const double r = 0.1, a = M_PI / 2 * (quarter + double(column % (n + 1)) / n),
+                 b = M_PI / 2 * (row <= n ? double(row) / n - 1 : double(row - n - 1) / n);
+    const double x = (quarter == 0 || quarter == 3 ? 1.4 : -1.4) + r * std::cos(b) * std::cos(a),
+                 y = (quarter < 2 ? 0.9 : -0.9) + r * std::cos(b) * std::sin(a),
+                 z = (row <= n ? -0.4 : 0.4) + r * std::sin(b);
+    const auto [it, is_new] =
+        number.try_emplace({std::lround(1e9 * x), std::lround(1e9 * y), std::lround(1e9 * z)},
+                           static_cast<Index>(soup.points.size()));
+    if (is_new)
+      soup.points.emplace_back(x, y, z);
+    return it->second;
+  };
+  const auto triangle = [&](Index a, Index b, Index c) {
+    if (a != b && b != c && c != a)
+      soup.polygons.push_back({a, b, c});
+  };
+  for (int row = 0; row < 2 * n + 1; ++row)
+    for (int column = 0; column < 4 * (n + 1); ++column) {
+      const Index a = point(row, column), b = point(row, column + 1), c = point(row + 1, column + 1),
+                  d = point(row + 1, column);
+      triangle(a, b, c);
+      triangle(a, c, d);
+    }
+  for (const int row : {0, 2 * n + 1}) { // bottom and top
+    const std::array corners{point(row, 0), point(row, n + 1), point(row, 2 * n + 2), point(row, 3 * n + 3)};
+    const Index b = corners[row == 0 ? 3 : 1], d = corners[row == 0 ? 1 : 3];
+    triangle(corners[0], b, corners[2]);
+    triangle(corners[0], corners[2], d);
+  }
+  return soup;
+}
+
+TEST(Developable_segmentation, plane_faces_stay_between_round_edges)
+{
+  struct Rest
+  {
+    double* area;
+    Segmentation segment(const Surface& surface, const Execution&) const
+    {
+      *area = 0;
+      for (Index t = 0; t < surface.number_of_triangles(); ++t)
+        *area += std::sqrt(
+            CGAL::squared_area(surface.point(3 * t), surface.point(3 * t + 1), surface.point(3 * t + 2)));
+      return one_chart(surface);
+    }
+  };
+  for (const int n : {2, 4, 8}) {
+    const Surface surface = surface_of(round_box(n));
+    double rest = 0;
+    (void)Developable_segmentation(Rest{&rest}, Raster_packer()).segment(surface, Execution(1));
+    const double faces = 2 * (2.8 * 1.8 + 2.8 * 0.8 + 1.8 * 0.8), whole = area_3d(surface);
+    EXPECT_GT(rest, 0) << "the corners are curved";
+    EXPECT_LE(rest, whole - faces + 1e-9) << "the faces are plane";
   }
 }
 

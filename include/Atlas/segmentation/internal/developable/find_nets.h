@@ -5,6 +5,7 @@
 #include <Atlas/core/Any_policies.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/internal/bounding_box.h>
+#include <Atlas/measure/distortion.h>
 #include <Atlas/segmentation/internal/developable/Net_builder.h>
 
 #include <algorithm>
@@ -178,11 +179,13 @@ private:
     return nets;
   }
 
-  /// Leaves triangles that stick out into what is curved to it, where no crease is between: borders are
+  /// Leaves small triangles that stick out into what is curved to it, where no crease is between: borders are
   /// straighter then. Nets stay connected, since such a triangle has one neighbour in its net.
   void trim(std::vector<Index>& net, const Hard_facets& hard) const
   {
     constexpr int rounds = 3;
+    constexpr double share_of_teeth = 1e-3; // of the area of the surface
+    const double largest_tooth = share_of_teeth * area_3d(surface_);
     const auto is_open = [&](Index h) {
       return may_cross(surface_, h) && net[surface_.opposite[h] / 3] == no_index &&
              hard.turn(h) <= crease_degrees * CGAL_PI / 180;
@@ -195,7 +198,7 @@ private:
           open += is_open(h);
           kept += must_not_be_seam(surface_, h);
         }
-        if (open >= 2 && kept == 0)
+        if (open >= 2 && kept == 0 && triangle_area(surface_, t) <= largest_tooth)
           teeth.push_back(t);
       }
       for (const Index t : teeth)
