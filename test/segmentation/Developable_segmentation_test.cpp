@@ -9,7 +9,6 @@
 #include <Atlas/segmentation/cut_to_discs.h>
 
 #include "test_meshes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
