@@ -127,9 +127,11 @@ TEST(AlignedCharts, LieParallelToThePageAndOthersAsTheyLike)
   };
   for (const Chart_rotation rotation : {Chart_rotation::aligned, Chart_rotation::any})
     for (const auto& placements : {pack(Raster_packer(), rotation), pack(Horizon_packer(), rotation)})
-      for (std::size_t i = 0; i < set.charts.size(); ++i)
-        if (set.angles[i])
+      for (std::size_t i = 0; i < set.charts.size(); ++i) {
+        if (set.angles[i]) {
           EXPECT_LT(worst_angle(set.charts[i], *set.angles[i], placements[i]), 1e-13) << i;
+        }
+      }
   int turned = 0;
   const auto placements = pack(Raster_packer(), Chart_rotation::aligned);
   for (std::size_t i = 3; i < set.charts.size(); i += 4)
