@@ -4,8 +4,8 @@
 #
 #   scripts/make_atlas.sh [MESH] [OPTIONS OF texture_atlas...]
 #
-# Without MESH the mesh is bunny00.off of Debian's package libcgal-demo; then, or without -o, the results go to
-# ./atlas_output/.
+# Without MESH the mesh is bunny00.off of Debian's package libcgal-demo. Without -o the results go to ./atlas_output/,
+# with pictures.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -26,7 +26,7 @@ case " $* " in
   *)
     name=$(basename "$mesh")
     mkdir -p atlas_output
-    results=(-o "atlas_output/${name%.*}_atlas.obj")
+    results=(-o "atlas_output/${name%.*}_atlas.obj" --pictures)
     ;;
 esac
 say "texture_atlas $mesh ${results[*]} $*"

@@ -18,7 +18,7 @@ small() {
 for mesh in bunny00 camel; do
   tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz "data/meshes/$mesh.off" >"$folder/$mesh.off"
   "$atlas_root/build/example/bin/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
-    --picture "$folder/$mesh.png" >&2
+    --pictures --picture "$folder/$mesh.png" >&2
 done
 small "$folder/bunny00.png" bunny.png 1400
 small "$folder/camel_page.png" camel_page.png 700
@@ -33,7 +33,7 @@ awk 'NF == 0 { next }
                              printf "%s %s %s %d %d %d 255\n", $1, $2, $3, 255 * r, 90 + 160 * g, 255 * b; next }
      { print }' "$folder/bunny00.off" >"$folder/colored.off"
 "$atlas_root/build/example/bin/texture_atlas" "$folder/colored.off" -o "$folder/colored.obj" \
-  --bake colors --bake normals --bake occlusion >&2
+  --bake colors --bake normals --bake occlusion --pictures >&2
 for name in color normal occlusion view; do
   pngtopnm "$folder/colored_$name.png" | pnmscale -xsize 480 -ysize 480 >"$folder/$name.pnm"
 done

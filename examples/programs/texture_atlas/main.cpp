@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job as a program: any polygon mesh in, a textured model out, with pictures and a report.
+// The main job as a program: any polygon mesh in, a textured model out, with a report and, if asked for,
+// pictures.
 #include <Atlas/core/errors.h>
 #include <Atlas/soup/orient_faces.h>
 

@@ -37,7 +37,7 @@ void print_times(const Atlas::Atlas_report& report, double reading, double writi
   std::printf("time          reading %.2f s", reading);
   for (const Atlas::Stage stage : Atlas::all_stages)
     std::printf(", %s %.2f s", Atlas::name(stage), report.seconds[static_cast<std::size_t>(stage)]);
-  std::printf(", pictures and writing %.2f s\n", writing);
+  std::printf(", textures and writing %.2f s\n", writing);
 }
 
 void print_rejected(const Options& options, const Atlas::Joined_soups& models,

@@ -108,6 +108,10 @@ void add_run_options(CLI::App& app, Options& options)
 
 void add_picture_options(CLI::App& app, Options& options)
 {
+  app.add_flag("--pictures", options.has_pictures,
+               "Also write pictures, with the stem of the output: the page with its charts in colours "
+               "(_page.png), its stretch (_stretch.png), the model from several sides (_view.png), and a "
+               "report with all of them and the model to turn (.html)");
   app.add_option("--picture", options.picture,
                  "Also write one PNG picture with the page and the model side by side");
   app.add_option(
@@ -170,10 +174,10 @@ void declare_options(CLI::App& app, Options& options)
   app.add_option(
       "-o,--output", options.output,
       "The textured model to write, an .obj file. Beside it, with the same stem, appear the material (.mtl), "
-      "a checkerboard texture (_checkerboard.png), the page with its charts in colours (_page.png), the "
-      "model from several sides (_view.png) and the report (.json). Default: <stem of MESH>_atlas.obj in "
-      "the current directory. Of several meshes each gets a model whose name adds its own stem, `out.obj` "
-      "becomes `out_<stem of MESH>.obj`, and they share all other files; default: atlas.obj");
+      "a checkerboard texture (_checkerboard.png) and the report (.json). Default: <stem of "
+      "MESH>_atlas.obj in the current directory. Of several meshes each gets a model whose name adds its "
+      "own stem, `out.obj` becomes `out_<stem of MESH>.obj`, and they share all other files; default: "
+      "atlas.obj");
   add_chart_options(app, options);
   add_stretch_options(app, options);
   add_stage_options(app, options.stages);

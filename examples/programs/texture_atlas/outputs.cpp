@@ -201,24 +201,29 @@ Atlas::Json description(const Options& options, const Atlas::Joined_soups& model
   return {{"meshes", list}, {"vertices", models.whole().points.size()}};
 }
 
-/// Several pages are shown side by side.
+/// Those that have been asked for. Several pages are shown side by side.
 void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon_soup& model,
                   const Textures& textures, const Atlas::Atlas_report& report)
 {
+  if (!options.has_pictures && options.picture.empty())
+    return;
   const fs::path output = options.output;
-  const std::vector<double> stretch =
-      Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
   const Atlas::Polygon_soup sheet = Atlas::sheet_of_pages(model);
   const std::vector<Atlas::Index>& culprits = report.certificate.culprits;
   Atlas::Report_pictures pictures;
   const Atlas::Image_size shape(options.page.width, options.page.height);
-  pictures.page = Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(1024), culprits);
-  pictures.stretch = Atlas::draw_stretch(sheet, stretch, shape.with_longer_side(1024));
   pictures.view = Atlas::render_model(sheet, Atlas::sheet_of_images(textures.pages));
-  outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
-  outputs.add(beside(output, "_stretch.png"), Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
-  outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
-  outputs.add(beside(output, ".html"), Atlas::html_report(sheet, report, pictures, options.title()));
+  if (options.has_pictures) {
+    const std::vector<double> stretch =
+        Atlas::face_stretch(Atlas::measure_distortion(model), model.number_of_faces());
+    pictures.page = Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(1024), culprits);
+    pictures.stretch = Atlas::draw_stretch(sheet, stretch, shape.with_longer_side(1024));
+    outputs.add(beside(output, "_page.png"), Atlas::png_bytes(pictures.page));
+    outputs.add(beside(output, "_stretch.png"),
+                Atlas::png_bytes(Atlas::with_stretch_scale(pictures.stretch)));
+    outputs.add(beside(output, "_view.png"), Atlas::png_bytes(pictures.view));
+    outputs.add(beside(output, ".html"), Atlas::html_report(sheet, report, pictures, options.title()));
+  }
   if (!options.picture.empty()) {
     const Atlas::Image page =
         Atlas::draw_atlas(sheet, report.face_chart, shape.with_longer_side(pictures.view.height), culprits);

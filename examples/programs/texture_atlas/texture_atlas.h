@@ -33,7 +33,7 @@ struct Options : Packing_options
   unsigned threads = 0;
   std::vector<Bake> bakes;
   bool keeps_uv = false, separates_materials = false, is_straightened = false, turns_faces = false,
-       is_quiet = false, shows_progress = false;
+       has_pictures = false, is_quiet = false, shows_progress = false;
   double time_limit = 0; ///< seconds; 0: none
 
   bool has(Bake bake) const;
