@@ -120,6 +120,17 @@ public:
     return parts_->whole_area / std::max({square * square, second * second, between_nets * room});
   }
 
+  /// A bound on the share of a page that the nets can fill: the largest has to fit in any rotation. Its
+  /// square has been tried in twelve directions; between two of them it is smaller by a cosine and a sine.
+  double most_fullness() const
+  {
+    const double between = CGAL_PI / (4 * Extent::directions);
+    double side = 0;
+    for (const Net& net : nets_)
+      side = std::max(side, net.extent.square / (std::cos(between) + std::sin(between)));
+    return std::min(1.0, parts_->whole_area / (side * side));
+  }
+
   Index net_of(Index facet) { return nets_of_.find(facet); }
   bool is_glued(Index h) const { return placement_.is_glued(h); }
   std::size_t number_of_nets() const
@@ -167,11 +178,7 @@ private:
   {
     Net& net = nets_[f];
     net.facets = {f};
-    std::vector<Vec2> points;
-    for (const Index t : parts_->triangles_of[f])
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        points.push_back(parts_->local[h]);
-    net.hull = convex_hull(std::move(points));
+    net.hull = parts_->hulls[f];
     net.extent = extent_of_hull(net.hull);
     largest_facet_ = std::max(largest_facet_, net.extent.square);
   }

@@ -25,6 +25,13 @@ struct Planar_box
     low_y = std::min(low_y, p.y);
     high_y = std::max(high_y, p.y);
   }
+  void add(const Planar_box& o)
+  {
+    low_x = std::min(low_x, o.low_x);
+    high_x = std::max(high_x, o.high_x);
+    low_y = std::min(low_y, o.low_y);
+    high_y = std::max(high_y, o.high_y);
+  }
   bool meets(const Planar_box& o, double margin) const
   {
     return low_x <= o.high_x + margin && o.low_x <= high_x + margin && low_y <= o.high_y + margin &&

@@ -2,10 +2,13 @@
 #ifndef ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_FACETS_H
 #define ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_FACETS_H
 
+#include <Atlas/planar/internal/box_tree.h>
+#include <Atlas/planar/internal/convex_hull.h>
 #include <Atlas/segmentation/internal/developable/Facet_arcs.h>
 #include <Atlas/segmentation/internal/developable/Net_layout.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -32,7 +35,12 @@ struct Net_facets
         arc_of[h] = arc_of[surface.opposite[h]] = a;
     }
     for (Index t = 0; t < facets.of_triangle.size(); ++t)
-      triangles_of[facets.of_triangle[t]].push_back(t);
+      if (hard.is_hard(facets.of_triangle[t]))
+        triangles_of[facets.of_triangle[t]].push_back(t);
+    for (Index f = 0; f < facets.count(); ++f) {
+      hulls.push_back(hull_of(f));
+      trees.push_back(tree_of(f));
+    }
   }
 
   Index facet(Index h) const { return facets.of_triangle[h / 3]; }
@@ -45,7 +53,30 @@ struct Net_facets
   std::vector<Vec2> local;         ///< per halfedge: where it starts in the plane of its facet
   std::vector<Facet_arc> arcs;
   std::vector<Index> arc_of;                             ///< per halfedge
-  std::vector<std::vector<Index>> arcs_at, triangles_of; ///< per facet
+  std::vector<std::vector<Index>> arcs_at, triangles_of; ///< per facet; none of those that are not hard
+  std::vector<std::vector<Vec2>> hulls;                  ///< of the facets, in their planes
+  std::vector<Box_tree> trees;                           ///< of the triangles of the facets there
+
+private:
+  std::vector<Vec2> hull_of(Index f) const
+  {
+    std::vector<Vec2> points;
+    for (const Index t : triangles_of[f])
+      points.insert(points.end(), local.begin() + 3 * t, local.begin() + 3 * t + 3);
+    return convex_hull(std::move(points));
+  }
+
+  Box_tree tree_of(Index f) const
+  {
+    constexpr std::size_t leaf_size = 4;
+    std::vector<Box_2> boxes;
+    for (const Index t : triangles_of[f]) {
+      Box_2& box = boxes.emplace_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        box.add(local[h].x, local[h].y);
+    }
+    return Box_tree(boxes, leaf_size, Execution());
+  }
 };
 
 } // namespace Atlas::internal

@@ -75,6 +75,8 @@ struct Extent
   double square = 0;    ///< side of a small square around it, in any of twelve directions
   double hull = 0;      ///< area of the convex hull
 
+  static constexpr int directions = 12; ///< in which `square` is tried, evenly over 90 degrees
+
   /// About the area of a page that it takes.
   double room() const { return (rectangle + hull) / 2; }
 };
@@ -95,9 +97,8 @@ inline Extent extent_of_hull(const std::vector<Vec2>& hull)
 {
   const Vec2 e = least_rectangle_direction(hull), size = size_along(hull, e);
   Extent result{size.x * size.y, std::max(size.x, size.y), std::max(size.x, size.y), 0};
-  constexpr int directions = 12;
-  for (int k = 1; k < directions; ++k) {
-    const double angle = k * CGAL_PI / (2 * directions);
+  for (int k = 1; k < Extent::directions; ++k) {
+    const double angle = k * CGAL_PI / (2 * Extent::directions);
     const Vec2 turned = size_along(hull, rotated({std::cos(angle), std::sin(angle)}, e));
     result.square = std::min(result.square, std::max(turned.x, turned.y));
   }

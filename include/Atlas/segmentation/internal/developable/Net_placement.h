@@ -19,7 +19,10 @@ public:
   explicit Net_placement(const Net_facets& parts)
       : parts_(&parts), clearance_(share_of_gap * parts.unit, slack * parts.noise),
         motion_(parts.facets.count()), is_glued_(parts.local.size(), 0)
-  {}
+  {
+    for (Index f = 0; f < motion_.size(); ++f)
+      boxes_.push_back(box_of(f, motion_[f]));
+  }
 
   bool is_glued(Index h) const { return is_glued_[h]; }
   /// Where the halfedge starts in the plane of its net.
@@ -29,8 +32,10 @@ public:
 
   void move(const std::vector<Index>& facets, const Rigid_motion& motion)
   {
-    for (const Index f : facets)
+    for (const Index f : facets) {
       motion_[f] = motion.after(motion_[f]);
+      boxes_[f] = box_of(f, motion_[f]);
+    }
   }
   void glue(const std::vector<Index>& halfedges)
   {
@@ -52,7 +57,7 @@ public:
       welded.push_back(place(next_halfedge(h)));
     }
     std::sort(on_trial_.begin(), on_trial_.end());
-    const bool result = do_collide(items(a, Rigid_motion()), items(b, motion), welded);
+    const bool result = do_collide(items(a), moved_items(b, motion), welded);
     on_trial_.clear();
     return result;
   }
@@ -93,22 +98,39 @@ private:
     Planar_box box;
   };
 
-  /// In the order of their left ends.
-  std::vector<Item> items(const std::vector<Index>& facets, const Rigid_motion& motion) const
+  std::vector<Item> items(const std::vector<Index>& facets) const
+  {
+    std::vector<Item> result;
+    for (const Index f : facets)
+      result.push_back({f, motion_[f], boxes_[f]});
+    return result;
+  }
+
+  std::vector<Item> moved_items(const std::vector<Index>& facets, const Rigid_motion& motion) const
   {
     std::vector<Item> result;
     for (const Index f : facets) {
       const Rigid_motion all = motion.after(motion_[f]);
       result.push_back({f, all, box_of(f, all)});
     }
-    std::sort(result.begin(), result.end(),
-              [](const Item& x, const Item& y) { return x.box.low_x < y.box.low_x; });
     return result;
   }
 
-  bool do_collide(const std::vector<Item>& left, const std::vector<Item>& right,
-                  const std::vector<Vec2>& welded) const
+  /// Leaves out what is farther than the gap from all of `others`, as far as the box around them tells.
+  void leave_out_distant(std::vector<Item>& some, const std::vector<Item>& others) const
   {
+    Planar_box box;
+    for (const Item& i : others)
+      box.add(i.box);
+    std::erase_if(some, [&](const Item& i) { return !i.box.meets(box, clearance_.gap()); });
+  }
+
+  bool do_collide(std::vector<Item> left, std::vector<Item> right, const std::vector<Vec2>& welded) const
+  {
+    leave_out_distant(left, right);
+    leave_out_distant(right, left);
+    std::sort(right.begin(), right.end(),
+              [](const Item& x, const Item& y) { return x.box.low_x < y.box.low_x; });
     const double gap = clearance_.gap();
     double widest = 0;
     for (const Item& y : right)
@@ -127,9 +149,8 @@ private:
   Planar_box box_of(Index f, const Rigid_motion& m) const
   {
     Planar_box box;
-    for (const Index t : parts_->triangles_of[f])
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        box.add(m(parts_->local[h]));
+    for (const Vec2 p : parts_->hulls[f])
+      box.add(m(p));
     return box;
   }
 
@@ -145,19 +166,44 @@ private:
   std::vector<Flat_triangle> flat_triangles(const Item& item, const Planar_box& near) const
   {
     std::vector<Flat_triangle> result;
-    for (const Index t : parts_->triangles_of[item.facet]) {
-      Flat_triangle flat;
-      for (Index i = 0; i < 3; ++i) {
-        flat.p[i] = item.motion(parts_->local[3 * t + i]);
-        flat.box.add(flat.p[i]);
-      }
-      if (!flat.box.meets(near, clearance_.gap()))
-        continue;
-      for (Index i = 0; i < 3; ++i)
-        flat.is_border[i] = is_border(3 * t + i);
-      result.push_back(flat);
-    }
+    const Box_2 here = in_plane_of(item, near);
+    const Box_tree& tree = parts_->trees[item.facet];
+    const auto add = [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        add_if_near(parts_->triangles_of[item.facet][tree.order()[i]], item.motion, near, result);
+    };
+    tree.visit([&](const Box_2& box, std::size_t, std::size_t) { return box.meets(here); }, add);
     return result;
+  }
+
+  /// A box with the gap around it, in the plane of a facet.
+  Box_2 in_plane_of(const Item& item, const Planar_box& box) const
+  {
+    constexpr double rounding = 1e-9;
+    const double gap = clearance_.gap() + rounding * parts_->unit;
+    const Vec2 back{item.motion.turn.x, -item.motion.turn.y};
+    Box_2 result;
+    for (const double x : {box.low_x - gap, box.high_x + gap})
+      for (const double y : {box.low_y - gap, box.high_y + gap}) {
+        const Vec2 p = rotated(back, Vec2{x, y} - item.motion.shift);
+        result.add(p.x, p.y);
+      }
+    return result;
+  }
+
+  void add_if_near(Index t, const Rigid_motion& motion, const Planar_box& near,
+                   std::vector<Flat_triangle>& to) const
+  {
+    Flat_triangle flat;
+    for (Index i = 0; i < 3; ++i) {
+      flat.p[i] = motion(parts_->local[3 * t + i]);
+      flat.box.add(flat.p[i]);
+    }
+    if (!flat.box.meets(near, clearance_.gap()))
+      return;
+    for (Index i = 0; i < 3; ++i)
+      flat.is_border[i] = is_border(3 * t + i);
+    to.push_back(flat);
   }
 
   /// How much room two nets need between them at least, over the root of the whole area.
@@ -167,6 +213,7 @@ private:
   const Net_facets* parts_;
   Net_clearance clearance_;
   std::vector<Rigid_motion> motion_;   ///< per facet: from its plane to that of its net
+  std::vector<Planar_box> boxes_;      ///< per facet, there
   std::vector<std::uint8_t> is_glued_; ///< per halfedge
   std::vector<Index> on_trial_;        ///< halfedges that count as glued, sorted
 };

@@ -136,13 +136,19 @@ private:
       trials_.erase(trials_.begin() + static_cast<std::ptrdiff_t>(kept), trials_.end());
   }
 
+  /// A trial that is dearer than the best so far, however well it may fill the page, is not packed.
   void pack_trials(double area)
   {
     if (trials_.size() < 2)
       return;
+    double least_cost = HUGE_VAL;
     for (Trial& trial : trials_) {
       if (execution_.is_cancelled())
         return;
+      trial.fullness = trial.builder->most_fullness();
+      trial.cost = cost(trial);
+      if (trial.cost >= least_cost)
+        continue;
       Page_options page;
       page.width = page.height = page_side;
       page.gutter = 1;
@@ -151,6 +157,7 @@ private:
       const double covered = area * packing.density * packing.density;
       trial.fullness = std::max(covered / (double(page_side) * page_side), 1e-3);
       trial.cost = cost(trial);
+      least_cost = std::min(least_cost, trial.cost);
     }
   }
 
