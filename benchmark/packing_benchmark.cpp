@@ -10,7 +10,7 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/pack_charts.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
 
 #include "temporary_folder.h"

@@ -4,7 +4,6 @@
 #include <Atlas/IO/write_model.h>
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/pages.h>
 
 #include "temporary_folder.h"

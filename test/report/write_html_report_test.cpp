@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/internal/base64.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/soup/internal/face_distortion.h>
 

@@ -48,25 +48,3 @@ std::vector<Material_rule> rules_of(const Material_rules& rules, const Atlas::Po
     rule_of(name, "--lock").is_locked = true;
   return result;
 }
-
-Atlas::Index material_of(const Atlas::Polygon_soup& model, Atlas::Index face)
-{
-  return model.face_material.empty() ? Atlas::no_index : model.face_material[face];
-}
-
-Atlas::Index material_of(const Atlas::Polygon_soup& model, const Atlas::Surface& surface,
-                         const Atlas::Chart& chart)
-{
-  return chart.source.empty() ? Atlas::no_index : material_of(model, surface.face[chart.source.front()]);
-}
-
-void set_weights(const Material_rules& rules, const Atlas::Polygon_soup& model, Atlas::Surface& surface)
-{
-  if (rules.weights.empty())
-    return;
-  const std::vector<Material_rule> rule = rules_of(rules, model);
-  for (const Atlas::Index face : surface.face) {
-    const Atlas::Index material = material_of(model, face);
-    surface.density_weight.push_back(material == Atlas::no_index ? 1 : rule[material].weight);
-  }
-}

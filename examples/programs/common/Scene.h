@@ -4,7 +4,7 @@
 
 #include <Atlas/core/Surface.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
 #include <Atlas/soup/Polygon_soup.h>
 

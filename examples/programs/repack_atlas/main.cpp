@@ -4,13 +4,11 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
-#include <Atlas/packing/pack_charts.h>
+#include <Atlas/soup/internal/atlas_of_soup.h>
 #include <Atlas/validation/certify.h>
 
-#include "Material_packer.h"
 #include "packing_options.h"
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -26,28 +24,12 @@ struct Arguments : Packing_options
   unsigned threads = 0;
 };
 
-/// The area of all charts on their pages, in texels.
-double covered_area(const Atlas::Repacked_charts& repacked)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < repacked.charts.size(); ++i) {
-    const Atlas::Chart& chart = repacked.charts[i];
-    const Atlas::Placement& placement = repacked.packing.placements[i];
-    double area = 0;
-    for (const auto& [a, b, c] : chart.triangles)
-      area += std::abs(CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]));
-    sum += area * (placement.a * placement.a + placement.b * placement.b);
-  }
-  return sum;
-}
-
 /// One line: what came out, and the verdict on it.
 void print(const Arguments& arguments, const Atlas::Repacked_charts& repacked,
            const Atlas::Atlas_certificate& certificate)
 {
   const Atlas::Packing& packing = repacked.packing;
-  const double texels = double(arguments.page.width) * arguments.page.height * packing.number_of_pages;
-  const double efficiency = texels > 0 ? covered_area(repacked) / texels : 0;
+  const double efficiency = Atlas::internal::packing_efficiency(repacked, arguments.page);
   std::printf("charts=%zu pages=%u efficiency=%.3f gutter=%.2f texels_per_unit=%.6g %s\n",
               repacked.charts.size(), packing.number_of_pages, efficiency, packing.gutter, packing.density,
               certificate.is_valid() ? "valid" : ("NOT VALID: " + Atlas::message(certificate)).c_str());
@@ -60,17 +42,15 @@ int run(const Arguments& arguments)
   if (soup.uv.empty())
     throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
   Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
-  set_weights(arguments.materials, soup, surface);
-  const Material_packer packer{surface, soup, rules_of(arguments.materials, soup),
-                               Atlas::Raster_packer(arguments.effort)};
-  const Atlas::Repacked_charts repacked =
-      Atlas::pack_charts(surface, soup.uv, arguments.page, packer, execution);
+  Atlas::internal::Soup_options wishes;
+  wishes.page = arguments.page;
+  wishes.effort = arguments.effort;
+  wishes.rules = rules_of(arguments.materials, soup);
+  const Atlas::Repacked_charts repacked = repack_soup(wishes, soup, surface, execution);
   if (!repacked.charts.empty() && repacked.packing.number_of_pages == 0)
     throw Atlas::IO_error(arguments.file + ": the page has no room for so many charts");
   soup.uv = repacked.uv;
-  soup.face_page.assign(soup.number_of_faces(), 0);
-  for (std::size_t t = 0; t < surface.number_of_triangles(); ++t)
-    soup.face_page[surface.face[t]] = repacked.page[surface.corner[3 * t]];
+  soup.face_page = Atlas::internal::pages_of_faces(repacked, surface);
 
   Atlas::Certificate_options options;
   options.width = arguments.page.width;

@@ -4,7 +4,6 @@
 #include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>

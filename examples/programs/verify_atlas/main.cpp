@@ -3,7 +3,6 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/validation/certify.h>

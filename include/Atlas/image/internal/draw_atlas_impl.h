@@ -4,10 +4,10 @@
 
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/library.h>
-#include <Atlas/image/draw_atlas.h>
 #include <Atlas/image/internal/color_scale.h>
 #include <Atlas/image/internal/fill_polygon.h>
 #include <Atlas/image/internal/hue.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/soup/internal/index_uv.h>
 
 #include <algorithm>

@@ -3,10 +3,13 @@
 #define ATLAS_SOUP_INTERNAL_SPLIT_VERTICES_H
 
 #include <Atlas/soup/Polygon_soup.h>
-#include <Atlas/soup/internal/index_uv.h>
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -22,31 +25,69 @@ struct Split_vertices
   std::size_t number_of_vertices() const { return original.size(); }
 };
 
+/// What tells the corners of a vertex apart. Coordinates that are not finite are all the same.
+struct Corner_key
+{
+  double u = INFINITY, v = INFINITY;
+  Index normal = no_index;
+  auto operator<=>(const Corner_key&) const = default;
+};
+
+inline Corner_key corner_key(const Polygon_soup& soup, std::size_t c)
+{
+  Corner_key key;
+  if (!soup.uv.empty() && std::isfinite(soup.uv[c].x()) && std::isfinite(soup.uv[c].y())) {
+    key.u = soup.uv[c].x();
+    key.v = soup.uv[c].y();
+  }
+  if (!soup.corner_normal.empty())
+    key.normal = soup.corner_normal[c];
+  return key;
+}
+
+/// Per corner the first corner that has the same vertex, coordinates and normal; `no_index` where the vertex
+/// does not exist.
+inline std::vector<Index> first_equal_corners(const Polygon_soup& soup)
+{
+  std::vector<std::size_t> begin(soup.points.size() + 1, 0); // per vertex, in `corners`; one more closes
+  for (const Index vertex : soup.vertices)
+    if (vertex < soup.points.size())
+      ++begin[vertex + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::pair<Corner_key, Index>> corners(begin.back()); // by vertex
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  for (std::size_t c = 0; c < soup.number_of_corners(); ++c)
+    if (const Index vertex = soup.vertices[c]; vertex < soup.points.size())
+      corners[end[vertex]++] = {corner_key(soup, c), static_cast<Index>(c)};
+  std::vector<Index> result(soup.number_of_corners(), no_index);
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    std::sort(corners.begin() + begin[v], corners.begin() + begin[v + 1]);
+    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
+      result[corners[i].second] = i > begin[v] && corners[i].first == corners[i - 1].first
+                                      ? result[corners[i - 1].second]
+                                      : corners[i].second;
+  }
+  return result;
+}
+
 /// \brief Gives every distinct combination of vertex, coordinates and normal one new vertex, in the order in
-/// which the corners of the faces meet them. Vertices that no face uses are not kept. O(n) expected.
+/// which the corners of the faces meet them. Vertices that no face uses are not kept. O(n log n).
 inline Split_vertices split_vertices(const Polygon_soup& soup)
 {
   Split_vertices split;
-  const Indexed_uv uv = index_uv(soup.uv);
-  Row_table<2> table(soup.points.size());
-  split.corner.reserve(soup.number_of_corners());
-  for (std::size_t c = 0; c < soup.number_of_corners(); ++c) {
-    const Index vertex = soup.vertices[c];
-    if (vertex >= soup.points.size()) {
-      split.corner.push_back(no_index);
+  const std::vector<Index> first = first_equal_corners(soup);
+  split.corner.reserve(first.size());
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if (first[c] != c) {
+      split.corner.push_back(first[c] == no_index ? no_index : split.corner[first[c]]);
       continue;
     }
-    const Index t = uv.corner.empty() ? no_index : uv.corner[c];
-    const Index n = soup.corner_normal.empty() ? no_index : soup.corner_normal[c];
-    const Index v = table({vertex, std::uint64_t(t) << 32 | n});
-    split.corner.push_back(v);
-    if (v < split.original.size())
-      continue;
-    split.original.push_back(vertex);
-    if (!soup.uv.empty())
-      split.uv.push_back(t == no_index ? Point_2(NAN, NAN) : uv.points[t]);
+    split.corner.push_back(static_cast<Index>(split.original.size()));
+    split.original.push_back(soup.vertices[c]);
+    if (const Corner_key key = corner_key(soup, c); !soup.uv.empty())
+      split.uv.push_back(std::isfinite(key.u) ? Point_2(key.u, key.v) : Point_2(NAN, NAN));
     if (!soup.corner_normal.empty())
-      split.normal.push_back(n);
+      split.normal.push_back(soup.corner_normal[c]);
   }
   return split;
 }

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_SOUP_INTERNAL_ATLAS_OF_SOUP_IMPL_H
+#define ATLAS_SOUP_INTERNAL_ATLAS_OF_SOUP_IMPL_H
+
+#include <Atlas/core/build_surface.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/generate_atlas.h>
+#include <Atlas/parameterization/Existing_uv_parameterizer.h>
+#include <Atlas/segmentation/Patch_segmentation.h>
+#include <Atlas/soup/internal/atlas_of_soup.h>
+#include <Atlas/validation/Exact_validator.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace Atlas::internal {
+
+/// Materials become patches; a face without one is of one more material.
+inline void separate_materials(const Polygon_soup& model, Surface& surface)
+{
+  surface.patch.resize(surface.number_of_triangles());
+  for (std::size_t t = 0; t < surface.patch.size(); ++t)
+    surface.patch[t] = material_of(model, surface.face[t]) + 1;
+}
+
+/// Faces of the same weight become patches: no chart has faces of two weights.
+inline void separate_weights(Surface& surface)
+{
+  std::map<double, Index> patch_of_weight;
+  for (const double weight : surface.density_weight) {
+    const auto next = static_cast<Index>(patch_of_weight.size());
+    surface.patch.push_back(patch_of_weight.try_emplace(weight, next).first->second);
+  }
+}
+
+ATLAS_INLINE Merge_options merge_options_of(const Soup_options& options)
+{
+  require(std::isfinite(options.min_chart_texels) && options.min_chart_texels >= 0, "min_chart_texels",
+          "must be finite and not negative");
+  Merge_options merge = merge_options(options.mode);
+  if (options.max_distortion != 0)
+    merge.max_distortion = options.max_distortion;
+  if (options.max_stretch != 0)
+    merge.max_stretch = options.max_stretch;
+  if (options.max_stretch_share != 0)
+    merge.max_stretch_share = options.max_stretch_share;
+  merge.measure = options.measure.value_or(merge.measure);
+  merge.max_charts = options.max_charts;
+  if (options.min_chart_texels > 0)
+    merge.min_chart_area = area_share_of_texels(options.min_chart_texels, options.page);
+  return merge;
+}
+
+/// The policies that are given, or those of the mode.
+inline Policies policies_of(const Soup_options& options)
+{
+  if (options.policies)
+    return *options.policies;
+  if (options.mode == Atlas_mode::paper) {
+    require(!options.measure && options.max_distortion == 0 && options.max_stretch == 0 &&
+                options.max_charts == 0 && options.min_chart_texels == 0,
+            "mode",
+            "paper merges no charts: measure, max_distortion, max_stretch, max_charts and min_chart_texels "
+            "have no meaning");
+    return paper_preset(Exact_validator(default_max_area_ratio, 0));
+  }
+  Policies policies = preset(options.mode, merge_options_of(options));
+  policies.packer = Raster_packer(options.effort);
+  return policies;
+}
+
+ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polygon_soup& model,
+                                        Surface& surface, std::vector<Point_2>& uv,
+                                        const std::function<bool(Stage, double)>& progress)
+{
+  check(options.page); // before policies ask for its size
+  const Policies policies = policies_of(options);
+  const auto common = parameters::page_options(options.page)
+                          .packer(Material_packer{surface, model, options.rules, policies.packer})
+                          .number_of_threads(options.threads)
+                          .progress(progress);
+  set_weights(options.rules, model, surface);
+  if (options.keeps_uv) {
+    constrain_to_uv(surface, model.uv);
+    const Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);
+    return generate_atlas(surface, uv,
+                          common.segmentation(Patch_segmentation())
+                              .parameterizer(Existing_uv_parameterizer(surface, model.uv))
+                              .validator(any_density));
+  }
+  if (options.separates_materials)
+    separate_materials(model, surface);
+  else if (!surface.density_weight.empty())
+    separate_weights(surface);
+  return generate_atlas(surface, uv,
+                        common.policies(policies)
+                            .mode(options.mode)
+                            .hard_angle(options.hard_angle)
+                            .straighten(options.is_straightened));
+}
+
+ATLAS_INLINE Repacked_charts repack_soup(const Soup_options& options, const Polygon_soup& model,
+                                         Surface& surface, const Execution& execution)
+{
+  set_weights(options.rules, model, surface);
+  const Material_packer packer{surface, model, options.rules, Raster_packer(options.effort)};
+  return pack_charts(surface, model.uv, options.page, packer, execution);
+}
+
+ATLAS_INLINE std::vector<Index> pages_of_faces(const Repacked_charts& repacked, const Surface& surface)
+{
+  std::vector<Index> page(surface.number_of_faces, 0);
+  for (std::size_t t = 0; t < surface.number_of_triangles(); ++t)
+    page[surface.face[t]] = repacked.page[surface.corner[3 * t]];
+  return page;
+}
+
+ATLAS_INLINE double packing_efficiency(const Repacked_charts& repacked, const Page_options& page)
+{
+  double sum = 0; // in texels
+  for (std::size_t i = 0; i < repacked.charts.size(); ++i) {
+    const Chart& chart = repacked.charts[i];
+    const Placement& placement = repacked.packing.placements[i];
+    double area = 0;
+    for (const auto& [a, b, c] : chart.triangles)
+      area += std::abs(CGAL::area(chart.uv[a], chart.uv[b], chart.uv[c]));
+    sum += area * (placement.a * placement.a + placement.b * placement.b);
+  }
+  const double texels = double(page.width) * page.height * repacked.packing.number_of_pages;
+  return texels > 0 ? sum / texels : 0;
+}
+
+} // namespace Atlas::internal
+
+#endif
