@@ -4,12 +4,14 @@
 #   IO         mesh and picture files, pictures of pages, baking, reports: libpng, tinygltf, nlohmann-json
 #   Rendering  pictures of the model, and the stencil test: OSMesa
 #   Occlusion  ambient occlusion: CGAL's AABB tree, which is under the GPL
+#   C          the C interface of Atlas/atlas.h, a shared library that has all of IO inside
 include_guard(GLOBAL)
 set(ATLAS_MODULE_DIR ${CMAKE_CURRENT_LIST_DIR})
-set(ATLAS_ALL_COMPONENTS IO Rendering Occlusion)
+set(ATLAS_ALL_COMPONENTS IO Rendering Occlusion C)
 set(ATLAS_IO_LIBRARIES PNG::PNG TinyGLTF::TinyGLTF nlohmann_json::nlohmann_json)
 set(ATLAS_Rendering_LIBRARIES OSMesa::OSMesa)
 set(ATLAS_Occlusion_LIBRARIES)
+set(ATLAS_C_LIBRARIES)
 # Components that stand on others.
 set(ATLAS_Occlusion_COMPONENTS IO)
 

@@ -148,17 +148,30 @@ function(atlas_consumer_test name target)
                    -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
                    --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error)
 endfunction()
-atlas_consumer_test(Package.FindPackage all ${from_prefix} -DEXPECTED=IO,Rendering,Occlusion)
+atlas_consumer_test(Package.FindPackage all ${from_prefix} -DEXPECTED=IO,Rendering,Occlusion,C)
 # As a subdirectory: what needs no library of Atlas, since that would be compiled once more.
 atlas_consumer_test(Package.AddSubdirectory consumer_header_only -DATLAS_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DEXPECTED=IO)
+
+# And by a compiler of C that asks pkg-config.
+if(TARGET Atlas::C)
+  enable_language(C)
+  find_program(PKG_CONFIG pkg-config REQUIRED)
+  set(program ${consumer}/consumer_of_pkg_config)
+  set(pc ${consumer}/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  add_test(NAME Package.PkgConfig
+           COMMAND sh -c "export PKG_CONFIG_PATH=${pc} LD_LIBRARY_PATH=${pc}/.. && \
+                   ${CMAKE_C_COMPILER} -std=c89 ${CMAKE_CURRENT_SOURCE_DIR}/consumer/consumer_in_c.c -o ${program} \
+                   $(${PKG_CONFIG} --cflags --libs atlas_c) && ${program}")
+  set_tests_properties(Package.PkgConfig PROPERTIES FIXTURES_REQUIRED atlas_installed)
+endif()
 
 # What a component needs may be missing: then it is not found, and nothing else fails. The first list is what is left.
 function(atlas_missing_test name left)
   add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/consumer -B ${consumer}/${name}
                                 ${configure} ${from_prefix} -DEXPECTED=${left} ${ARGN})
 endfunction()
-atlas_missing_test(Package.FindPackageWithoutOSMesa IO,Occlusion -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON)
-atlas_missing_test(Package.FindPackageWithoutPNG Rendering -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
+atlas_missing_test(Package.FindPackageWithoutOSMesa IO,Occlusion,C -DCMAKE_DISABLE_FIND_PACKAGE_OSMesa=ON)
+atlas_missing_test(Package.FindPackageWithoutPNG Rendering,C -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
 set_tests_properties(Package.FindPackage Package.FindPackageWithoutOSMesa Package.FindPackageWithoutPNG
                      PROPERTIES FIXTURES_REQUIRED atlas_installed)
 add_test(NAME Package.ConfigureWithoutOSMesa
