@@ -7,7 +7,11 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" "${ATLAS_TEST_PACKAGES[@]}"
-build test all "$@"
+python=(-DATLAS_BUILD_PYTHON=ON)
+if command -v dpkg-query >/dev/null; then
+  python+=(-DPython3_EXECUTABLE=/usr/bin/python3) # whose packages these are
+fi
+build test all "${python[@]}" "$@"
 say "Built after $((SECONDS / 60)) min $((SECONDS % 60)) s; running the tests"
 exec ctest --test-dir "$atlas_root/build/test" --output-on-failure --no-tests=error \
   --parallel "$(nproc)" --timeout 300

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Helpers of the other scripts, to be sourced: install what is missing, configure, build.
 
-# What the library needs with the readers and writers, what the programs need besides, the tests, the checks of the source.
+# What the library needs with the readers and writers, what the programs need besides, the Python
+# module and its tests, all tests, the checks of the source.
 ATLAS_LIBRARY_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev libpng-dev
                         libtinygltf-dev nlohmann-json3-dev)
 ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
-ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags)
+ATLAS_PYTHON_PACKAGES=(pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools
+                       python3-wheel)
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags pkgconf "${ATLAS_PYTHON_PACKAGES[@]}")
 ATLAS_CHECK_PACKAGES=(clang-format)
 
 say() { printf '\n== %s\n' "$*" >&2; }
