@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Figures 7 to 10 of the paper: the page and its horizon, model and page, histograms, a painted model.
 #include <Atlas/image/Image.h>
-#include <Atlas/image/draw_atlas.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
 #include <Atlas/report/internal/histogram_svg.h>
 #include <Atlas/soup/internal/face_distortion.h>
