@@ -85,7 +85,9 @@ class Developable_segmentation
 public:
   /// \param rest    segments what is not hard
   /// \param packer  tells which nets fill a page well, of several that have about the same seams
-  Developable_segmentation(Any_segmentation rest, Any_packer packer);
+  /// \param max_charts  where there would be more charts, the other model segments the whole surface; 0:
+  /// never
+  Developable_segmentation(Any_segmentation rest, Any_packer packer, std::size_t max_charts = 0);
 
   const Any_segmentation& rest() const { return rest_; }
   /// That of the other model.
@@ -97,6 +99,7 @@ public:
 private:
   Any_segmentation rest_;
   Any_packer packer_;
+  std::size_t max_charts_;
 };
 
 } // namespace Atlas

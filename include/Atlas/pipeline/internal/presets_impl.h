@@ -85,7 +85,7 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
   Merged_segmentation curved(Variational_segmentation(), internal::trial_parameterizer(optimize),
                              Identity_optimizer(), options);
-  return {Developable_segmentation(std::move(curved), Raster_packer()),
+  return {Developable_segmentation(std::move(curved), Raster_packer(), options.max_charts),
           Isometric_parameterizer(Bijective_parameterizer(optimize)),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),

@@ -5,6 +5,7 @@
 #include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/internal/developable/find_nets.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -49,8 +50,9 @@ Surface part_of_surface(const Surface& surface, IsIn is_in, std::vector<Index>& 
 
 } // namespace internal
 
-ATLAS_INLINE Developable_segmentation::Developable_segmentation(Any_segmentation rest, Any_packer packer)
-    : rest_(std::move(rest)), packer_(std::move(packer))
+ATLAS_INLINE Developable_segmentation::Developable_segmentation(Any_segmentation rest, Any_packer packer,
+                                                                std::size_t max_charts)
+    : rest_(std::move(rest)), packer_(std::move(packer)), max_charts_(max_charts)
 {}
 
 ATLAS_INLINE Segmentation Developable_segmentation::segment(const Surface& surface,
@@ -63,16 +65,17 @@ ATLAS_INLINE Segmentation Developable_segmentation::segment(const Surface& surfa
   std::vector<Index> global;
   const Surface part = internal::part_of_surface(
       surface, [&](Index t) { return result.chart[t] == no_index; }, global);
-  if (global.empty())
-    return result;
-  const Segmentation others = rest_.segment(part, execution);
-  for (Index t = 0; t < global.size(); ++t) {
-    result.chart[global[t]] = result.number_of_charts + others.chart[t];
-    for (Index i = 0; i < 3; ++i)
-      result.cut[3 * global[t] + i] = part.opposite[3 * t + i] != no_index && others.cut[3 * t + i];
+  if (!global.empty()) {
+    const Segmentation others = rest_.segment(part, execution);
+    for (Index t = 0; t < global.size(); ++t) {
+      result.chart[global[t]] = result.number_of_charts + others.chart[t];
+      for (Index i = 0; i < 3; ++i)
+        result.cut[3 * global[t] + i] = part.opposite[3 * t + i] != no_index && others.cut[3 * t + i];
+    }
+    result.number_of_charts += others.number_of_charts;
   }
-  result.number_of_charts += others.number_of_charts;
-  return result;
+  const bool are_too_many = max_charts_ > 0 && result.number_of_charts > max_charts_;
+  return are_too_many ? rest_.segment(surface, execution) : result;
 }
 
 } // namespace Atlas
