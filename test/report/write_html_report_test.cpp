@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/image/internal/base64.h>
 #include <Atlas/image/pages.h>
+#include <Atlas/report/internal/Report_model.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/soup/internal/face_distortion.h>
 
@@ -67,6 +68,33 @@ TEST(Base64, known_answers)
     EXPECT_EQ(internal::base64(text), code);
 }
 
+TEST(Report_model, edges_of_one_triangle_are_seams)
+{
+  const internal::Report_model model(two_squares(), {0, 1, no_index});
+  EXPECT_EQ(model.positions.size(), 3u * 8);
+  EXPECT_EQ(model.charts, (std::vector<float>{0, 0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(model.indices.size(), 3u * 4); // the face of one vertex is no triangle
+  EXPECT_EQ(model.seams.size(), 2u * 8);   // the sides of both squares, not their diagonals
+  for (std::size_t i = 0; i < model.seams.size(); i += 2)
+    EXPECT_EQ(model.charts[model.seams[i]], model.charts[model.seams[i + 1]]);
+  EXPECT_NEAR(model.density, 0.03 / 4, 1e-6); // in the unit ball each square has an area of 2
+}
+
+TEST(Report_model, worst_spots_come_first)
+{
+  const Polygon_soup soup = two_squares();
+  Atlas_report report;
+  report.charts.resize(2);
+  const internal::Report_model model(soup, {0, 1, no_index});
+  const std::vector<internal::Worst_spot> spots = internal::worst_spots(model, soup, report, 5);
+  ASSERT_EQ(spots.size(), 2u);
+  EXPECT_EQ(spots[0].chart, 1u); // stretched twofold
+  EXPECT_EQ(spots[1].chart, 0u);
+  EXPECT_NEAR(spots[0].normal[2], 1, 1e-6);
+  EXPECT_GT(spots[0].radius, 0.5);
+  EXPECT_EQ(internal::worst_spots(model, soup, report, 1).size(), 1u);
+}
+
 TEST(Write_html_report, is_complete_and_needs_nothing_else)
 {
   const Polygon_soup soup = two_squares();
@@ -74,6 +102,7 @@ TEST(Write_html_report, is_complete_and_needs_nothing_else)
   report.faces = 3;
   report.rejected = {{2, Rejection::too_few_corners}};
   report.charts.resize(2);
+  report.face_chart = {0, 1, no_index};
   const Image picture(8, 8);
   const std::string html = html_report(soup, report, {picture, picture, picture}, "a <b> & \"c\"");
   EXPECT_NE(html.find("a &lt;b&gt; &amp; &quot;c&quot;"), std::string::npos);
@@ -90,6 +119,8 @@ TEST(Write_html_report, is_complete_and_needs_nothing_else)
   EXPECT_EQ(count("<section>"), count("</section>"));
   EXPECT_EQ(count("<div"), count("</div>"));
   EXPECT_EQ(count("data:image/png;base64,"), 3u);
+  EXPECT_EQ(count("<tr class=\"chart\""), 2u);
+  EXPECT_LT(html.find("data-chart=\"1\""), html.find("data-chart=\"0\"")); // the worst one first
 }
 
 TEST(Draw_stretch, hot_and_cool)

@@ -42,9 +42,9 @@ struct Report_pictures
 };
 
 /// \brief A report as one HTML page that needs nothing else: pictures, figures, histograms (as figure 9 of
-/// Levy et al. 2002), and the model to be turned (WebGL 2, works offline).
-/// \param soup   with the coordinates of the atlas
-/// \param title  shown on top
+/// Levy et al. 2002), and the model to be turned (WebGL 2, works offline). A chart that one points at is
+/// shown on the model and on the page; the charts that are stretched most are listed, and a click shows the
+/// spot. \param soup   with the coordinates of the atlas \param title  shown on top
 std::string html_report(const Polygon_soup& soup, const Atlas_report& report, const Report_pictures& pictures,
                         const std::string& title);
 

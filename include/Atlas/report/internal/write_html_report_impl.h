@@ -6,17 +6,14 @@
 #include <Atlas/image/Image.h>
 #include <Atlas/image/internal/Output_file.h>
 #include <Atlas/image/internal/base64.h>
+#include <Atlas/report/internal/Report_model.h>
 #include <Atlas/report/internal/histogram_svg.h>
 #include <Atlas/report/internal/report_page.h>
 #include <Atlas/report/write_report.h>
-#include <Atlas/soup/internal/Triangle_list.h>
 #include <Atlas/soup/internal/face_distortion.h>
-#include <Atlas/soup/internal/index_uv.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -83,8 +80,10 @@ public:
 
   std::string text(const Report_pictures& pictures)
   {
+    const Report_model model(soup_, report_.face_chart);
     write_pictures(pictures);
-    write_view();
+    write_view(model);
+    write_worst(model);
     html_ << "<div class=\"two\">";
     write_histograms();
     write_tables();
@@ -124,29 +123,44 @@ private:
     html_ << "<section><h2>From several sides</h2>" << image_tag(view, "sides") << "</section>\n";
   }
 
-  void write_view()
+  void write_view(const Report_model& model)
   {
-    const Triangle_list triangles(soup_);
-    std::vector<float> positions, uv;
-    std::vector<std::uint32_t> indices;
-    Row_table<3> table(soup_.points.size());
-    for (std::size_t c = 0; c < triangles.positions.size() / 3; ++c) {
-      const auto word = [&](const std::vector<float>& from, std::size_t i) {
-        return std::uint64_t(std::bit_cast<std::uint32_t>(from[i]));
-      };
-      const Index v = table({word(triangles.positions, 3 * c) << 32 | word(triangles.positions, 3 * c + 1),
-                             word(triangles.positions, 3 * c + 2),
-                             word(triangles.uv, 2 * c) << 32 | word(triangles.uv, 2 * c + 1)});
-      indices.push_back(v);
-      if (v < positions.size() / 3)
-        continue;
-      positions.insert(positions.end(), &triangles.positions[3 * c], &triangles.positions[3 * c] + 3);
-      uv.insert(uv.end(), &triangles.uv[2 * c], &triangles.uv[2 * c] + 2);
+    std::ostringstream data;
+    data << "{linked:" << (report_.charts.empty() ? "false" : "true")
+         << ",squares:" << std::max<Index>(report_.page_width / 16, 2) << ",density:" << model.density
+         << ",positions:\"" << base64_of(model.positions) << "\",uv:\"" << base64_of(model.uv)
+         << "\",charts:\"" << base64_of(model.charts) << "\",indices:\"" << base64_of(model.indices)
+         << "\",seams:\"" << base64_of(model.seams) << "\",about:[";
+    for (const Chart_report& chart : report_.charts)
+      data << "\"" << about(chart) << "\",";
+    data << "]}";
+    html_ << replaced(report_view, "@DATA@", data.str());
+  }
+
+  static std::string about(const Chart_report& chart)
+  {
+    return shown(chart.triangles) + " triangles, mean distortion " +
+           shown(chart.distortion.symmetric_dirichlet_mean) + ", stretch " + shown(chart.stretch) +
+           (chart.is_within_bound ? "" : std::string(", beyond its bound: ") + message(chart.reason));
+  }
+
+  /// The charts with the worst spots; a click shows them.
+  void write_worst(const Report_model& model)
+  {
+    constexpr std::size_t shown_at_most = 12;
+    const std::vector<Worst_spot> spots = worst_spots(model, soup_, report_, shown_at_most);
+    if (spots.empty())
+      return;
+    html_ << "<section><h2>Where it is stretched most</h2><table>";
+    for (const Worst_spot& spot : spots) {
+      html_ << "<tr class=\"chart\" data-chart=\"" << spot.chart << "\" data-place=\"[";
+      for (const auto& vector : {spot.center, spot.normal})
+        for (const double x : vector)
+          html_ << x << ',';
+      html_ << std::max(spot.radius, 1e-3) << "]\"><td>chart " << spot.chart << "</td><td>"
+            << about(report_.charts[spot.chart]) << "</td></tr>";
     }
-    html_ << replaced(report_view, "@DATA@",
-                      "{squares:" + std::to_string(std::max<Index>(report_.page_width / 16, 2)) +
-                          ",positions:\"" + base64_of(positions) + "\",uv:\"" + base64_of(uv) +
-                          "\",indices:\"" + base64_of(indices) + "\"}");
+    html_ << "</table><p class=\"note\">Click a chart to look at its worst spot.</p></section>\n";
   }
 
   void write_histograms()
