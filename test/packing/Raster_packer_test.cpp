@@ -90,6 +90,38 @@ TEST(Raster_packer, keeps_every_chart_and_the_gutter_on_many_sets)
   EXPECT_GT(sum[1], sum[0]); // more work is worth something
 }
 
+TEST(Raster_packer, places_a_single_chart_at_the_largest_scale_of_all_turns)
+{
+  for (const Chart_family family : {Chart_family::blobs, Chart_family::needles, Chart_family::rings,
+                                    Chart_family::spirals, Chart_family::one_huge_many_tiny})
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE("family " + std::to_string(int(family)) + " seed " + std::to_string(seed));
+      const std::vector<Chart> charts = random_charts(family, 40 + seed, 1);
+      Page_options page{seed % 2 ? 128u : 100u, seed % 3 ? 128u : 60u, 1.0 + seed % 3};
+      page.rotation = Chart_rotation::free;
+      const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+      expect_clear(charts, packing, page, page.gutter);
+      const auto fits = [&](double angle) {
+        double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+        for (const Point_2& p : charts[0].uv)
+          for (int k : {0, 1}) {
+            const double x = std::cos(angle + k * M_PI / 2) * p.x() - std::sin(angle + k * M_PI / 2) * p.y();
+            low[k] = std::min(low[k], x);
+            high[k] = std::max(high[k], x);
+          }
+        return std::min((page.width - page.gutter) / (high[0] - low[0]),
+                        (page.height - page.gutter) / (high[1] - low[1]));
+      };
+      double best = 0;
+      constexpr int turns = 2000;
+      for (int k = 0; k < turns; ++k)
+        best = std::max(best, fits(k * 2 * M_PI / turns));
+      const Placement& p = packing.placements[0];
+      EXPECT_NEAR(fits(std::atan2(p.b, p.a)), packing.density, 1e-5 * best);
+      EXPECT_GT(packing.density, (1 - 1e-5) * best);
+    }
+}
+
 TEST(Raster_packer, puts_small_charts_into_holes)
 {
   // A frame and a square that fits its hole: side by side they would need a third more.

@@ -7,6 +7,7 @@
 #include <Atlas/packing/internal/pages/Layout.h>
 #include <Atlas/packing/internal/pages/obstacle_layout.h>
 #include <Atlas/packing/internal/pages/page_task.h>
+#include <Atlas/packing/internal/pages/single_layout.h>
 #include <Atlas/packing/internal/search/Packing_search.h>
 
 #include <algorithm>
@@ -162,12 +163,16 @@ inline Shape_layout search_layout(const Packing_problem& problem, const Search_b
   return winner->best();
 }
 
-/// The layout of the raster packer at the largest scale it finds, at most the one wanted: that of the horizon
-/// packer, or around obstacles a simple one on a raster, unless the search finds a better one.
+/// The layout of the raster packer at the largest scale it finds, at most the one wanted: the best there is
+/// of a single outline; of several that of the horizon packer, or around obstacles a simple one on a raster,
+/// unless the search finds a better one.
 inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obstacles& obstacles,
                                            const Page_task& page, const Search_budget& budget,
                                            const Execution& execution)
 {
+  if (outlines.size() == 1 && obstacles.is_empty())
+    if (std::optional<Layout> alone = single_layout(outlines.charts.front(), page))
+      return alone;
   std::optional<Layout> result = obstacles.is_empty()
                                      ? horizon_layout(outlines, page, Horizon_source::outline, execution)
                                      : obstacle_layout(outlines, obstacles, page, execution);
