@@ -13,7 +13,10 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include "flattening_checks.h"
+#include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -195,6 +198,47 @@ TEST(Symmetric_dirichlet_optimizer, needs_few_iterations_at_full_size)
   }
 }
 
+/// Of the values of the chart's triangles: the mean of the power of the energy, 1 for an isometry, and the
+/// largest stretch.
+std::pair<double, double> tail_of(const Chart& chart, int exponent)
+{
+  double sum = 0, area = 0;
+  const std::vector<Triangle_distortion> measured = triangle_distortions(chart);
+  for (const Triangle_distortion& m : measured) {
+    const double a = m.largest * m.largest, b = m.smallest * m.smallest;
+    sum += m.area_3d * std::pow((a + b + 1 / a + 1 / b) / 4, exponent);
+    area += m.area_3d;
+  }
+  return {sum / area, summarize_distortion(measured).stretch_max};
+}
+
+TEST(Symmetric_dirichlet_optimizer, trades_mean_for_tail_by_its_exponent)
+{
+  for (const Chart& start : {height_field(12, 0.8, 3), bowl(0.9)}) {
+    Chart mean = start;
+    ASSERT_EQ(Tutte_parameterizer().parameterize(mean, Execution()), Chart_status::valid);
+    ASSERT_EQ(Symmetric_dirichlet_optimizer().optimize(mean, Execution()), Chart_status::valid);
+    double largest = tail_of(mean, 1).second;
+    for (const unsigned exponent : {3u, 6u}) {
+      Distortion_options options;
+      options.tail_exponent = exponent;
+      Chart chart = start;
+      ASSERT_EQ(Tutte_parameterizer().parameterize(chart, Execution()), Chart_status::valid);
+      Distortion_record record;
+      ASSERT_EQ(Symmetric_dirichlet_optimizer(options).optimize(chart, Execution(), record),
+                Chart_status::valid);
+      EXPECT_TRUE(is_one_to_one(chart));
+      EXPECT_NEAR(record.after, mean_energy(chart), 1e-3);
+      const int power = static_cast<int>(exponent);
+      EXPECT_LT(tail_of(chart, power).first, tail_of(mean, power).first);
+      EXPECT_GT(mean_energy(chart), mean_energy(mean));
+      EXPECT_LT(mean_energy(chart), 1 + 1.5 * (mean_energy(mean) - 1));
+      EXPECT_LT(tail_of(chart, 1).second, largest);
+      largest = tail_of(chart, 1).second;
+    }
+  }
+}
+
 TEST(Symmetric_dirichlet_optimizer, asks_at_every_step_whether_to_go_on)
 {
   const Chart start = height_field(12, 0.8, 3);
@@ -259,6 +303,9 @@ TEST(Symmetric_dirichlet_optimizer, checks_its_arguments)
     EXPECT_THROW((void)Symmetric_dirichlet_optimizer(tolerance), Invalid_argument);
     EXPECT_THROW((void)Symmetric_dirichlet_optimizer(target), Invalid_argument);
   }
+  Distortion_options exponent;
+  exponent.tail_exponent = 0;
+  EXPECT_THROW((void)Symmetric_dirichlet_optimizer(exponent), Invalid_argument);
   Chart chart = test::chart_of(test::planar_grid(2, 2)); // without coordinates
   EXPECT_THROW((void)Symmetric_dirichlet_optimizer().optimize(chart, Execution()), Invalid_argument);
 }

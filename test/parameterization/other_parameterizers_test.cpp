@@ -149,6 +149,10 @@ TEST(Distortion_energy, derivatives_agree_with_differences)
   check_derivatives(internal::Stretch());
   for (const double weight : {0., 0.3, 1.})
     check_derivatives(internal::Conformal_stretch{weight});
+  for (const unsigned exponent : {1u, 2u, 3u, 6u}) {
+    check_derivatives(internal::Power_of_energy<internal::Symmetric_dirichlet>{{}, exponent});
+    check_derivatives(internal::Power_of_energy<internal::Conformal_stretch>{{0.3}, exponent});
+  }
 }
 
 TEST(Fixed_border_parameterizer, flat_discs_are_reproduced)

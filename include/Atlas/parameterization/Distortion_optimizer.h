@@ -20,6 +20,10 @@ struct Distortion_options
   double tolerance = default_tolerance;
   /// The optimisation ends when the mean energy over that of an isometry is at most this; 0 stands for never.
   double target = 0;
+  /// Once the mean of the energy is least, that of this power of it is lowered in the same way: an exponent
+  /// above 1 trades a little of the mean for much less distortion at the worst places. At least 1, which
+  /// stands for the mean alone.
+  unsigned tail_exponent = 1;
   /// In [0, 1], for `Distortion_energy::conformal_stretch` only: 0 is conformal, 1 is least stretch.
   double stretch_weight = 0.5;
   /// Whether border vertices keep their places, up to one scale for the whole chart: for charts with a border

@@ -142,6 +142,52 @@ struct Conformal_stretch
   }
 };
 
+/// \brief A power of an energy, in the same unit: e (E / e)^p, e being that of an isometry. Its least mean
+/// trades a little of the mean of E for much less of the largest values.
+template <typename Energy>
+struct Power_of_energy
+{
+  static constexpr double isometry = Energy::isometry;
+
+  Energy energy = {};
+  unsigned exponent = 1; ///< p, at least 1
+
+  double value(double r2, double s2) const
+  {
+    return isometry * power(energy.value(r2, s2) / isometry, exponent);
+  }
+
+  /// The second derivatives are p (E / e)^(p-1) times those of E, plus the square of its gradient, which is
+  /// positive semidefinite as well, times p (p - 1) / e (E / e)^(p-2).
+  Triangle_energy derivatives(double x, double y) const
+  {
+    Triangle_energy d = energy.derivatives(x, y);
+    if (exponent == 1)
+      return d;
+    const double ratio = d.value / isometry, lower = exponent * power(ratio, exponent - 2);
+    const double outer = lower * ratio, bend = lower * (exponent - 1) / isometry;
+    d.value = isometry * power(ratio, exponent);
+    d.krr = outer * d.krr + bend * d.dr * d.dr;
+    d.krs = outer * d.krs + bend * d.dr * d.ds;
+    d.kss = outer * d.kss + bend * d.ds * d.ds;
+    d.dr *= outer;
+    d.ds *= outer;
+    d.tangential_f *= outer;
+    d.tangential_g *= outer;
+    return d;
+  }
+
+private:
+  static double power(double base, unsigned exponent)
+  {
+    double result = 1;
+    for (; exponent > 0; exponent /= 2, base *= base)
+      if (exponent % 2 == 1)
+        result *= base;
+    return result;
+  }
+};
+
 /// \brief A triangle's rest shape as the map from vertex positions to (f, g): f = sum conj(beta_j) u_j,
 /// g = sum beta_j u_j, with beta_j = i W_j / (2 d) in the LSCM paper's terms.
 struct Rest_triangle

@@ -76,6 +76,13 @@ public:
     return steps;
   }
 
+  /// Minimises another energy from now on.
+  void change_energy(const Energy& energy)
+  {
+    function_ = energy;
+    energy_ = total(u_);
+  }
+
   /// Keeps the border from touching itself from now on, if it does not yet.
   void guard()
   {
