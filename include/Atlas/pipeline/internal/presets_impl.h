@@ -5,6 +5,7 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/internal/raster/raster_layout.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
@@ -51,6 +52,15 @@ inline Distortion_bound kept_bound(const Merge_options& options)
   return options.max_charts > 0 || options.min_chart_area > 0 ? Distortion_bound() : bound_of(options);
 }
 
+/// Who tells how well nets fill a page: that nets are compared takes one search, not the best of several.
+inline Any_packer trial_packer()
+{
+  Search_budget budget;
+  budget.searches = 1;
+  budget.max_charts = max_charts_of_fast_search;
+  return Page_packer(Raster_engine{budget});
+}
+
 /// How unions of charts are flattened for trial.
 inline Any_parameterizer trial_parameterizer(Optimize_charts optimize)
 {
@@ -85,7 +95,7 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
   Merged_segmentation curved(Variational_segmentation(), internal::trial_parameterizer(optimize),
                              Identity_optimizer(), options);
-  return {Developable_segmentation(std::move(curved), Raster_packer(), options.max_charts),
+  return {Developable_segmentation(std::move(curved), internal::trial_packer(), options.max_charts),
           Isometric_parameterizer(Bijective_parameterizer(optimize)),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),

@@ -83,7 +83,8 @@ public:
       improve();
   }
 
-  /// Looks for quite other layouts, at larger scales, until that much work has been done. A scale at which
+  /// Looks for quite other layouts, at larger scales, until that much work has been done, or many attempts in
+  /// a row gained nothing: few shapes have been tried in every way soon. A scale at which
   /// shapes overlap in the end is not lost: pushed apart at a smaller one, they often are better than before.
   void explore(std::uint64_t work_limit, const Execution& execution)
   {
@@ -91,7 +92,8 @@ public:
       return;
     if (candidate_.positions.empty())
       candidate_ = best_;
-    while (work() < work_limit && !execution.is_cancelled()) {
+    const std::size_t most_idle = 8 + 12 * problem_->movable;
+    for (std::size_t idle = 0; idle < most_idle && work() < work_limit && !execution.is_cancelled(); ++idle) {
       const double before = best_.scale;
       candidate_.scale = before * (1 + step_);
       const double left = overlap_.solve(candidate_, patience, overlap_.work() + (work_limit - work()));
@@ -100,9 +102,10 @@ public:
         settle(candidate_);
       const bool is_worth_while = !(left > 0) || best_.scale > before * (1 + 0.5 * step_);
       step_ = is_worth_while ? std::min(largest_step, 1.3 * step_) : std::max(least_step, 0.6 * step_);
-      if (best_.scale > before)
+      if (best_.scale > before) {
         candidate_ = best_;
-      else {
+        idle = 0;
+      } else {
         if (below(3) == 0)
           candidate_ = best_;
         disturb(candidate_);
