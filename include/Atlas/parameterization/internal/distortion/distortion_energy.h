@@ -29,7 +29,8 @@ struct Triangle_energy
 inline Triangle_energy triangle_energy(double x, double y, double value, double dx, double dy, double kxx,
                                        double kxy, double kyy, double dxy_over_s)
 {
-  const double mean = (kxx + kyy) / 2, half = (kxx - kyy) / 2, radius = std::hypot(half, kxy);
+  const double mean = (kxx + kyy) / 2, half = (kxx - kyy) / 2,
+               radius = kxy == 0 ? std::abs(half) : std::hypot(half, kxy);
   if (const double least = mean - radius; least < 0 && radius > 0) {
     // Subtract the negative eigenvalue times the projector on its eigenvector, (1 - (K - mean) / radius) / 2.
     kxx -= least * (1 - half / radius) / 2;

@@ -7,6 +7,7 @@
 #include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/segmentation/internal/merging/Arc_borders.h>
 #include <Atlas/segmentation/internal/merging/Coarse_surface.h>
+#include <Atlas/segmentation/internal/merging/Trial_memory.h>
 #include <Atlas/segmentation/internal/merging/layout_limits.h>
 #include <Atlas/segmentation/internal/merging/layout_quality.h>
 #include <Atlas/segmentation/merge_charts.h>
@@ -15,6 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +48,8 @@ struct Merge_candidate
   bool is_slit() const { return chart == other; }
 };
 
-/// \brief Flattens unions of charts for trial, and decides whether they stay within the bounds.
+/// \brief Flattens unions of charts for trial, and decides whether they stay within the bounds. Copies share
+/// what they have found.
 class Merge_trials
 {
 public:
@@ -138,17 +142,29 @@ private:
     if (!c.is_slit())
       triangles.insert(triangles.end(), b.triangles.begin(), b.triangles.end());
     c.layout = extract(borders, triangles);
-    if (triangles.size() > options_.max_trial_triangles || flatten_(c.layout) != Chart_status::valid ||
-        !is_within_bound(c.layout, options_, past_bound))
+    if (triangles.size() > options_.max_trial_triangles)
       return;
-    c.is_accepted = past_bound > 1 || has_good_shape(borders, c, a.area + (c.is_slit() ? 0 : b.area));
+    if (past_bound > 1) {
+      c.is_accepted =
+          flatten_(c.layout) == Chart_status::valid && is_within_bound(c.layout, options_, past_bound);
+      return;
+    }
+    const Trial_memory::Key key = Trial_memory::key(c.layout, c.is_slit());
+    if (std::optional<Trial_memory::Verdict> known = memory_->find(key)) {
+      c.is_accepted = known->is_accepted;
+      c.layout.uv = std::move(known->uv);
+      return;
+    }
+    c.is_accepted = flatten_(c.layout) == Chart_status::valid && is_within_bound(c.layout, options_) &&
+                    has_good_shape(borders, c);
+    memory_->remember(key, {c.is_accepted, c.is_accepted ? c.layout.uv : std::vector<Point_2>()});
   }
 
   /// Closing a slit changes the outline little; so only what it does to the border counts.
-  bool has_good_shape(const Arc_borders& borders, const Merge_candidate& c, double area) const
+  bool has_good_shape(const Arc_borders& borders, const Merge_candidate& c) const
   {
     const Chart& chart = c.layout;
-    const bool is_large = area / whole_area_ > options_.max_area_share;
+    const bool is_large = area_3d(chart) / whole_area_ > options_.max_area_share;
     if (!c.is_slit() && !fills_hull(chart, is_large, options_))
       return false;
     std::vector<Border_edge> border;
@@ -191,6 +207,7 @@ private:
   const Trial_flattening& flatten_;
   double whole_area_;
   std::size_t work_ = 0;
+  std::shared_ptr<Trial_memory> memory_ = std::make_shared<Trial_memory>();
   std::vector<std::uint8_t> is_on_trial_; ///< per arc
   std::vector<Index> local_;              ///< per triangle: scratch, each trial has its own triangles
   std::vector<Index> place_;              ///< per triangle: its number in the layout of its chart
