@@ -48,6 +48,10 @@ TEST(BrokenCalls, NumbersOutOfRangeAreRefusedByName)
   EXPECT_EQ(refused_argument(max_charts(-3)), "max_charts");
   EXPECT_EQ(refused_argument(min_chart_texels(-1.0)), "min_chart_texels");
   EXPECT_EQ(refused_argument(min_chart_texels(nan)), "min_chart_texels");
+  EXPECT_EQ(refused_argument(min_coverage(1)), "min_coverage");
+  EXPECT_EQ(refused_argument(min_coverage(nan)), "min_coverage");
+  EXPECT_EQ(refused_argument(seam_exchange_rate(-1)), "seam_exchange_rate");
+  EXPECT_EQ(refused_argument(min_texels_per_chart(-1)), "min_texels_per_chart");
   EXPECT_EQ(refused_argument(hard_angle(181)), "hard_angle");
   EXPECT_EQ(refused_argument(hard_angle(-1)), "hard_angle");
   EXPECT_EQ(refused_argument(hard_angle(nan)), "hard_angle");

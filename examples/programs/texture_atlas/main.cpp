@@ -32,6 +32,7 @@ enum Exit_code {
   wrong_usage = 2,
   io_failure = 3,
   internal_failure = 4,
+  not_full = 5,
   out_of_time = 124, // as of the command `timeout`
   interrupted = 130
 };
@@ -116,6 +117,21 @@ private:
   int percent_ = -1;
 };
 
+/// Tells what was not kept; returns the exit code.
+Exit_code say(const Options& options, const Atlas::Atlas_report& report)
+{
+  using enum Atlas::Coverage_outcome;
+  if (!report.is_valid()) {
+    print_error(options.name() + ": " + message(report.certificate));
+    return not_valid;
+  }
+  if (report.coverage_outcome != kept && report.coverage_outcome != not_asked_for) {
+    print_error(options.name() + ": " + message(report.coverage_outcome));
+    return not_full;
+  }
+  return success;
+}
+
 int run(Options& options)
 {
   const Patience patience(options.time_limit);
@@ -157,11 +173,7 @@ int run(Options& options)
     if (std::fflush(stdout) != 0)
       throw Atlas::IO_error("cannot write to stdout");
   }
-  if (!report.is_valid()) {
-    print_error(options.name() + ": " + message(report.certificate));
-    return not_valid;
-  }
-  return success;
+  return say(options, report);
 }
 
 } // namespace

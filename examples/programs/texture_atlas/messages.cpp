@@ -17,6 +17,8 @@ void print_table(const Options& options, const Atlas::Polygon_soup& model, const
               report.faces);
   std::printf("charts        %zu on %zu page%s of %u x %u texels", report.charts.size(), report.pages,
               report.pages == 1 ? "" : "s", report.page_width, report.page_height);
+  if (report.pieces_cut_for_pages > 0)
+    std::printf(", %zu of them as charts were cut for the page", report.pieces_cut_for_pages);
   if (report.stacked_charts > 0)
     std::printf(", %zu of them on copies of theirs", report.stacked_charts);
   std::printf(

@@ -81,6 +81,24 @@ void add_aspect_option(CLI::App& app, Options& options)
                "charts cover most of it. Takes 17 packings. The report tells the sides");
 }
 
+/// What charts do for fuller pages.
+void add_coverage_options(CLI::App& app, Options& options)
+{
+  app.add_option("--min-coverage", options.min_coverage,
+                 "Cut charts until they cover this share of the pages, with as little seam as is found. The "
+                 "report tells if no cut helps any longer. Takes some 5 to 30 packings")
+      ->check(CLI::Range(0.0, 0.99));
+  app.add_option(
+         "--seam-exchange-rate", options.seam_exchange_rate,
+         "Cut charts where that gives so many per cent more texels per unit for each per cent of added "
+         "seam; 0: never. Default: 1, and only charts that are longer than the page, which set the "
+         "density of all others")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--min-texels-per-chart", options.min_texels_per_chart,
+                 "Enlarge charts of fewer texels until they have so many. Default: no limit")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
 /// What is done with the coordinates and faces of the file.
 void add_input_options(CLI::App& app, Options& options)
 {
@@ -184,13 +202,15 @@ void declare_options(CLI::App& app, Options& options)
   add_input_options(app, options);
   add_packing_options(app, options);
   add_aspect_option(app, options);
+  add_coverage_options(app, options);
   add_run_options(app, options);
   add_picture_options(app, options);
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
              "wrong command line; 3 for "
-             "a file that\ncannot be read or written; 124 if the time limit is over; 130 if interrupted. "
+             "a file that\ncannot be read or written; 5 for a valid atlas that does not keep --min-coverage; "
+             "124 if the time limit is over; 130 if interrupted. "
              "Files appear whole or not at all.");
 }
 
@@ -213,6 +233,9 @@ void complete_all(const CLI::App& app, Options& options)
   check(options.stages);
   if (options.page.has_free_aspect && app.count("--lock") > 0)
     throw CLI::ValidationError("--free-aspect", "locked charts have their places on a square page");
+  if (options.min_coverage > 0 && options.page.density > 0)
+    throw CLI::ValidationError("--min-coverage",
+                               "does not go with --density, whose last page is as it comes");
   if (!options.seams.empty() && options.meshes.size() > 1)
     throw CLI::ValidationError("--seams", "speaks of the vertices of one mesh, but there are several");
 }

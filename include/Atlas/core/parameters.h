@@ -23,6 +23,12 @@ struct min_chart_texels_t
 {};
 struct hard_angle_t
 {};
+struct min_coverage_t
+{};
+struct seam_exchange_rate_t
+{};
+struct min_texels_per_chart_t
+{};
 struct straighten_t
 {};
 struct seam_cost_map_t
@@ -110,6 +116,28 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   auto min_chart_texels(const K& k) const
   {
     return with<internal::min_chart_texels_t>(k);
+  }
+  /// Charts are cut until they cover this share of the pages, in [0, 1), at the least added seam that is
+  /// found; where no cut helps any longer, the report says so. Goes before `max_charts`. Not together with a
+  /// density. Default 0: no such wish.
+  template <typename K>
+  auto min_coverage(const K& k) const
+  {
+    return with<internal::min_coverage_t>(k);
+  }
+  /// Charts are cut where the density of texels rises by at least so many per cent for each per cent of added
+  /// seam; 0: never. Default: by 1, and only charts that are longer than the page and so set the density of
+  /// all others; never in the mode `paper`, or with `max_charts` or policies that are given one by one.
+  template <typename K>
+  auto seam_exchange_rate(const K& k) const
+  {
+    return with<internal::seam_exchange_rate_t>(k);
+  }
+  /// Charts of fewer texels are enlarged until they have so many; default 0: no such wish.
+  template <typename K>
+  auto min_texels_per_chart(const K& k) const
+  {
+    return with<internal::min_texels_per_chart_t>(k);
   }
   /// Edges at which normals turn by more than so many degrees, in (0, 180], become seams; default: none.
   template <typename K>
@@ -242,6 +270,9 @@ template <typename K> auto mode(const K& k) { return Named_parameters<K, interna
 template <typename K> auto merge_options(const K& k) { return Named_parameters<K, internal::merge_options_t>(k); }
 template <typename K> auto max_charts(const K& k) { return Named_parameters<K, internal::max_charts_t>(k); }
 template <typename K> auto min_chart_texels(const K& k) { return Named_parameters<K, internal::min_chart_texels_t>(k); }
+template <typename K> auto min_coverage(const K& k) { return Named_parameters<K, internal::min_coverage_t>(k); }
+template <typename K> auto seam_exchange_rate(const K& k) { return Named_parameters<K, internal::seam_exchange_rate_t>(k); }
+template <typename K> auto min_texels_per_chart(const K& k) { return Named_parameters<K, internal::min_texels_per_chart_t>(k); }
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
 template <typename K> auto straighten(const K& k) { return Named_parameters<K, internal::straighten_t>(k); }
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }

@@ -41,6 +41,30 @@ inline const char* message(Atlas_status status)
   return "unknown status";
 }
 
+/// What became of the wish for full pages.
+enum class Coverage_outcome {
+  not_asked_for, ///< there was none
+  kept,          ///< the pages are at least that full
+  no_cut_helps,  ///< no cut along edges that may be seams makes charts that need less room
+  given_up       ///< many cuts were made, and the pages are still not full enough
+};
+
+/// A sentence for the user.
+inline const char* message(Coverage_outcome outcome)
+{
+  switch (outcome) {
+  case Coverage_outcome::not_asked_for:
+    return "no coverage was asked for";
+  case Coverage_outcome::kept:
+    return "the pages are as full as asked for";
+  case Coverage_outcome::no_cut_helps:
+    return "no cut along the edges of the mesh makes the pages fuller";
+  case Coverage_outcome::given_up:
+    return "the pages are not as full as asked for after all cuts that were tried";
+  }
+  return "unknown outcome";
+}
+
 /// Why a chart exceeds the bound on distortion.
 enum class Excess_reason {
   none,             ///< it does not
@@ -109,8 +133,12 @@ struct [[nodiscard]] Atlas_report
   std::size_t segmented_charts = 0; ///< how many charts the segmentation made, before they were cut to discs
   std::size_t split_charts = 0;     ///< how many charts were refused and split on the way
   std::size_t rejoined_pieces = 0;  ///< how many of the pieces were accepted together with a neighbour
-  std::size_t stacked_charts = 0;   ///< how many charts lie on a chart that they are a copy of, as asked for;
-                                    ///< the certificate takes each such layer for a page of its own
+  double min_coverage = 0;          ///< asked for: what charts are to cover of the pages
+  Coverage_outcome coverage_outcome = Coverage_outcome::not_asked_for; ///< whether they do
+  std::size_t pieces_cut_for_pages = 0; ///< how many charts more there are as some were cut for fuller pages
+  std::size_t enlarged_charts = 0;      ///< how many charts are larger for `min_texels_per_chart`
+  std::size_t stacked_charts = 0; ///< how many charts lie on a chart that they are a copy of, as asked for;
+                                  ///< the certificate takes each such layer for a page of its own
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
   std::size_t charts_beyond_bound = 0;

@@ -2,12 +2,14 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
 #define ATLAS_PIPELINE_INTERNAL_ATLAS_PIPELINE_H
 
-#include <Atlas/core/internal/mean_weight.h>
 #include <Atlas/measure/distortion.h>
 #include <Atlas/packing/internal/pages/least_page.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_flattener.h>
+#include <Atlas/pipeline/internal/Packed_charts.h>
+#include <Atlas/pipeline/internal/Page_cutter.h>
 #include <Atlas/pipeline/internal/Repeated_parts.h>
+#include <Atlas/pipeline/internal/count_angles.h>
 #include <Atlas/pipeline/internal/normalize.h>
 #include <Atlas/pipeline/internal/round_coordinates.h>
 #include <Atlas/pipeline/internal/run_atlas.h>
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,11 +40,12 @@ public:
   static constexpr int maximal_page_rounds = 6;
 
   /// \param policies  must outlive this object
+  /// \param wishes    what charts do for their pages
   /// \param shared    which parts of the surface that are copies of others get the same charts
   Atlas_pipeline(const Surface& input, const Policies& policies, const Page_options& page,
-                 Chart_stacking shared, unsigned threads, Progress progress)
-      : surface_(input), model_(normalize(surface_)), policies_(policies), page_(page), execution_(threads),
-        progress_(std::move(progress)), parts_(surface_, shared),
+                 const Page_wishes& wishes, Chart_stacking shared, unsigned threads, Progress progress)
+      : surface_(input), model_(normalize(surface_)), policies_(policies), page_(page), wishes_(wishes),
+        execution_(threads), progress_(std::move(progress)), parts_(surface_, shared),
         charted_(parts_.is_empty() ? surface_ : parts_.models()),
         flattener_(charted_, charted_segmentation_, policies, execution_)
   {
@@ -124,18 +128,43 @@ private:
 
   void pack()
   {
-    segmentation_ = parts_.expand(surface_, charted_segmentation_, charted_chart_);
-    charts_ = parts_.expand(surface_, segmentation_, flattener_.charts());
-    if (!surface_.density_weight.empty())
-      page_.weights = chart_weights();
+    const Chart_packing packing(surface_, parts_, policies_.packer, charted_area_,
+                                wishes_.min_texels_per_chart, execution_);
+    Packed_charts packed = packing.charts(charted_segmentation_, flattener_.charts());
     if (std::exchange(page_.has_free_aspect, false))
-      set_page(least_page(charts_, page_, policies_.packer, execution_));
-    packing_ = policies_.packer.pack(charts_, page_, execution_);
+      set_page(least_page(packed.charts, page_, policies_.packer, execution_));
+    packing.pack(packed, page_);
+    if (packed.packing.number_of_pages > 0 && !(page_.density > 0))
+      cut_for_pages(packing, packed);
     if (execution_.is_cancelled())
       return;
+    segmentation_ = std::move(packed.segmentation);
+    charted_chart_ = std::move(packed.model);
+    charts_ = std::move(packed.charts);
+    packing_ = std::move(packed.packing);
+    report_.enlarged_charts = packed.enlarged;
     report_.pages = packing_.number_of_pages;
-    if (report_.pages == 0)
+    if (report_.pages > 0)
+      round();
+  }
+
+  /// Cuts charts as the wishes for pages say.
+  void cut_for_pages(const Chart_packing& packing, Packed_charts& packed)
+  {
+    Page_cutter cutter(charted_, packing, page_, wishes_, execution_);
+    std::optional<Cut_charts> cut = cutter(charted_segmentation_, flattener_.charts(), packed.coverage);
+    are_cuts_exhausted_ = cutter.is_exhausted();
+    if (!cut || execution_.is_cancelled())
       return;
+    report_.pieces_cut_for_pages += cut->packed.charts.size() - packed.charts.size();
+    charted_segmentation_ = std::move(cut->segmentation);
+    flattener_.take(std::move(cut->flattened));
+    packed = std::move(cut->packed);
+  }
+
+  /// Puts charts on their pages, in coordinates that can be stored.
+  void round()
+  {
     report_.density = packing_.density / model_.unit;
     face_page_.assign(surface_.number_of_faces, 0);
     rounding_faults_.assign(charts_.size(), {});
@@ -165,21 +194,6 @@ private:
   Point_2 turned_over(std::size_t chart, const Point_2& p) const
   {
     return packing_.placements[chart].is_mirrored ? Point_2(1 - p.x(), p.y()) : p;
-  }
-
-  /// The mean weight of each chart's triangles, but no chart is made smaller than about a texel by it.
-  std::vector<double> chart_weights() const
-  {
-    std::vector<double> weights(charts_.size(), 1);
-    execution_.for_each(charts_.size(), [&](std::size_t i) {
-      const Chart& chart = charts_[i];
-      const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
-      const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-      weights[i] = mean_weight(surface_, chart);
-      if (extent > 0)
-        weights[i] = std::max(weights[i], std::min(1.0, texel() / extent));
-    });
-    return weights;
   }
 
   /// About the side of a texel, in units of the model.
@@ -289,18 +303,18 @@ private:
     report_.unoptimized = summarize_distortion(all);
   }
 
-  void summarize_angles()
+  void summarize_coverage()
   {
-    double count = 0;
-    for (const Chart& chart : charts_)
-      for (const double angle : gradient_angles(chart))
-        if (std::isfinite(angle)) {
-          const double last = static_cast<double>(report_.gradient_angles.size() - 1);
-          ++report_.gradient_angles[static_cast<std::size_t>(std::min(angle, last))];
-          ++count;
-        }
-    for (double& share : report_.gradient_angles)
-      share /= std::max(count, 1.0);
+    double covered = report_.distortion.area_uv;
+    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
+      if (packing_.layers[i] > 0) {
+        ++report_.stacked_charts;
+        covered -= report_.charts[i].distortion.area_uv;
+      }
+    report_.packing_efficiency = covered / (double(page_.width) * page_.height * double(report_.pages));
+    report_.min_coverage = wishes_.min_coverage;
+    report_.coverage_outcome =
+        coverage_outcome(report_.packing_efficiency, wishes_.min_coverage, are_cuts_exhausted_);
   }
 
   void summarize()
@@ -331,7 +345,7 @@ private:
       chart.flattening = flat.record;
     });
     summarize_unoptimized(std::move(unoptimized));
-    summarize_angles();
+    count_angles(charts_, report_.gradient_angles);
     report_.charts_beyond_bound = static_cast<std::size_t>(
         std::count_if(report_.charts.begin(), report_.charts.end(),
                       [](const Chart_report& chart) { return !chart.is_within_bound; }));
@@ -341,13 +355,7 @@ private:
     report_.distortion = summarize_distortion(all);
     if (report_.unoptimized.triangles == 0)
       report_.unoptimized = report_.distortion;
-    double covered = report_.distortion.area_uv;
-    for (std::size_t i = 0; i < packing_.layers.size(); ++i)
-      if (packing_.layers[i] > 0) {
-        ++report_.stacked_charts;
-        covered -= report_.charts[i].distortion.area_uv;
-      }
-    report_.packing_efficiency = covered / (double(page_.width) * page_.height * double(report_.pages));
+    summarize_coverage();
     report_.area *= model_.unit * model_.unit;
     report_.status = report_.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
     renumber();
@@ -357,6 +365,8 @@ private:
   Normalization model_;
   const Policies& policies_;
   Page_options page_;
+  Page_wishes wishes_;
+  bool are_cuts_exhausted_ = false;
   Execution execution_;
   Progress progress_;
 

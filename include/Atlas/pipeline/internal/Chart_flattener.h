@@ -92,6 +92,14 @@ public:
     return !changed.empty() || is_any_drawn;
   }
 
+  /// Takes pieces of its charts in their place, with the numbers that they have in the segmentation now.
+  void take(std::vector<Flattened_chart> charts)
+  {
+    charts_ = std::move(charts);
+    history_.resize(charts_.size());
+    is_piece_.resize(charts_.size(), 0);
+  }
+
   const std::vector<Flattened_chart>& charts() const { return charts_; } ///< as the segmentation numbers them
   std::size_t split_charts() const { return split_charts_; }
   std::size_t rejoined_pieces() const { return rejoined_pieces_; }

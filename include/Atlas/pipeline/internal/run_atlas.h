@@ -17,6 +17,15 @@ namespace Atlas::internal {
 /// What the caller of the pipeline hears: the stage and its fraction in [0, 1]; `false` cancels.
 using Progress = std::function<bool(Stage, double)>;
 
+/// What charts do for their pages.
+struct Page_wishes
+{
+  double min_coverage = 0; ///< charts are cut until they cover this share of the pages; 0: no such wish
+  std::optional<double> seam_exchange_rate; ///< cuts that raise the density by this per added seam are made,
+                                            ///< both relative; nothing: by 1, and of long charts only
+  double min_texels_per_chart = 0;          ///< smaller charts are enlarged
+};
+
 /// What a run is asked for: what the named parameters say, with policies where they are given.
 struct Atlas_request
 {
@@ -25,6 +34,7 @@ struct Atlas_request
   std::optional<Merge_options> merge_options;
   std::optional<std::size_t> max_charts;
   double min_chart_texels = 0;
+  Page_wishes wishes;
   double hard_angle = 0;        ///< degrees; 0: none
   bool is_straightened = false; ///< whether grids of quadrilaterals become rectangles
   unsigned threads = 0;

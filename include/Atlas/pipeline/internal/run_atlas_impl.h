@@ -73,6 +73,32 @@ inline Chart_stacking shared_parts(const Atlas_request& request)
   return is_given ? Chart_stacking::none : request.page.stacking;
 }
 
+inline void check_page_wishes(const Atlas_request& request)
+{
+  const auto require_not_negative = [](double value, const char* name) {
+    require(std::isfinite(value) && value >= 0, name, "must be finite and not negative");
+  };
+  const Page_wishes& wishes = request.wishes;
+  require(wishes.min_coverage >= 0 && wishes.min_coverage < 1, "min_coverage", "must be in [0, 1)");
+  require(wishes.min_coverage == 0 || request.page.density == 0, "min_coverage",
+          "cannot be kept at a given density: the last page has what is left over");
+  require_not_negative(wishes.seam_exchange_rate.value_or(0), "seam_exchange_rate");
+  require_not_negative(wishes.min_texels_per_chart, "min_texels_per_chart");
+}
+
+/// Wishes for pages, complete: who wants the paper to the letter, few charts, or policies of his own, gets
+/// charts as they are, unless he says that they may be cut.
+inline Page_wishes wishes_of(const Atlas_request& request)
+{
+  Page_wishes wishes = request.wishes;
+  const bool is_own = request.mode == Atlas_mode::paper || request.max_charts.value_or(0) > 0 ||
+                      merge_options_of(request).max_charts > 0 || request.segmentation ||
+                      request.parameterizer || request.optimizer || request.validator || request.splitter;
+  if (!wishes.seam_exchange_rate && is_own)
+    wishes.seam_exchange_rate = 0;
+  return wishes;
+}
+
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
                                     std::vector<Point_2>& corner_uv)
 {
@@ -81,13 +107,15 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   require(request.hard_angle >= 0 && request.hard_angle <= 180, "hard_angle", "must be in (0, 180] degrees");
   require(std::isfinite(request.min_chart_texels) && request.min_chart_texels >= 0, "min_chart_texels",
           "must be finite and not negative");
+  check_page_wishes(request);
   check_wishes(request);
   const Policies policies = policies_of(surface, request);
   Page_options page = request.page;
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
   const auto run = [&](const Surface& input) {
-    return Atlas_pipeline(input, policies, page, shared_parts(request), request.threads, request.progress)
+    return Atlas_pipeline(input, policies, page, wishes_of(request), shared_parts(request), request.threads,
+                          request.progress)
         .run(corner_uv);
   };
   if (!(request.hard_angle > 0))

@@ -77,6 +77,24 @@ inline Json to_json(const Distortion_bound& bound)
           {"max_stretch_share", bound.stretch_share}};
 }
 
+inline Json to_json(const Chart_report& chart)
+{
+  return {{"triangles", chart.triangles},
+          {"area", chart.area},
+          {"status", message(chart.status)},
+          {"is_within_bound", chart.is_within_bound},
+          {"bound_message", message(chart.reason)},
+          {"stretch", chart.stretch},
+          {"stretch_max", chart.distortion.stretch_max},
+          {"symmetric_dirichlet_mean", chart.distortion.symmetric_dirichlet_mean},
+          {"l2_stretch", chart.distortion.l2_stretch},
+          {"l2_stretch_unoptimized", chart.unoptimized.l2_stretch},
+          {"quasi_conformal_mean", chart.distortion.quasi_conformal_mean},
+          {"area_min", chart.distortion.area_min},
+          {"area_max", chart.distortion.area_max},
+          {"flattening", Atlas::to_json(chart.flattening)}};
+}
+
 } // namespace internal
 
 ATLAS_INLINE Json to_json(const Atlas_report& report)
@@ -85,20 +103,7 @@ ATLAS_INLINE Json to_json(const Atlas_report& report)
   for (const auto& [face, reason] : report.rejected)
     rejected.push_back({{"face", face}, {"reason", message(reason)}});
   for (const Chart_report& chart : report.charts)
-    charts.push_back({{"triangles", chart.triangles},
-                      {"area", chart.area},
-                      {"status", message(chart.status)},
-                      {"is_within_bound", chart.is_within_bound},
-                      {"bound_message", message(chart.reason)},
-                      {"stretch", chart.stretch},
-                      {"stretch_max", chart.distortion.stretch_max},
-                      {"symmetric_dirichlet_mean", chart.distortion.symmetric_dirichlet_mean},
-                      {"l2_stretch", chart.distortion.l2_stretch},
-                      {"l2_stretch_unoptimized", chart.unoptimized.l2_stretch},
-                      {"quasi_conformal_mean", chart.distortion.quasi_conformal_mean},
-                      {"area_min", chart.distortion.area_min},
-                      {"area_max", chart.distortion.area_max},
-                      {"flattening", to_json(chart.flattening)}});
+    charts.push_back(internal::to_json(chart));
   for (const Stage stage : all_stages)
     seconds[name(stage)] = report.seconds[static_cast<std::size_t>(stage)];
   seconds["total"] = report.total_seconds();
@@ -116,6 +121,10 @@ ATLAS_INLINE Json to_json(const Atlas_report& report)
           {"split_charts", report.split_charts},
           {"rejoined_pieces", report.rejoined_pieces},
           {"stacked_charts", report.stacked_charts},
+          {"min_coverage", report.min_coverage},
+          {"coverage_outcome", message(report.coverage_outcome)},
+          {"pieces_cut_for_pages", report.pieces_cut_for_pages},
+          {"enlarged_charts", report.enlarged_charts},
           {"bound", internal::to_json(report.bound)},
           {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},

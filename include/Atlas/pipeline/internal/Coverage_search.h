@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_COVERAGE_SEARCH_H
+#define ATLAS_PIPELINE_INTERNAL_COVERAGE_SEARCH_H
+
+#include <Atlas/core/internal/Flattened_chart.h>
+#include <Atlas/pipeline/internal/Cut_forest.h>
+#include <Atlas/pipeline/internal/Packed_charts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Charts that are cut, on their pages.
+struct Cut_charts
+{
+  Segmentation segmentation; ///< of the models of parts
+  std::vector<Flattened_chart> flattened;
+  Packed_charts packed;
+};
+
+/// \brief Looks for the fewest cuts with which pages are as full as asked for.
+///
+/// Cuts are made one after the other, until the estimate of the room that charts need says that it is time
+/// to pack anew; what comes out corrects the estimate. Once pages are full enough, cuts are taken back: first
+/// by halving the step that brought success, then one by one, the least useful first.
+class Coverage_search
+{
+public:
+  /// Packings at most: on the way up, and on the way back.
+  static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
+
+  using Pack = std::function<Packed_charts(const Segmentation&, const std::vector<Flattened_chart>&)>;
+
+  Coverage_search(Cut_forest forest, Pack pack) : forest_(std::move(forest)), pack_(std::move(pack)) {}
+
+  /// \param coverage  what the charts of the forest reach as they are
+  /// \param wanted    larger than that
+  /// \return the charts with the least added seam that reach it, or else those that cover most; none if that
+  /// is what there was
+  std::optional<Cut_charts> reach(double coverage, double wanted)
+  {
+    double most = coverage, room = forest_.room();
+    std::size_t enough = 0, few = 0;
+    for (int i = 0; i < most_packings && most < wanted; ++i) {
+      // The room that charts need times what of it is covered hardly changes by few cuts.
+      const double goal = room * coverage / wanted;
+      few = number_of_cuts_;
+      bool is_cut = false;
+      while (!is_cut || (forest_.room() > goal && number_of_cuts_ < few + 1 + few / 2)) {
+        if (!forest_.cut())
+          break;
+        is_cut = true;
+        ++number_of_cuts_;
+      }
+      if (!is_cut) {
+        is_exhausted_ = true;
+        break;
+      }
+      room = forest_.room();
+      coverage = try_now(most, wanted);
+      enough = number_of_cuts_;
+    }
+    if (most >= wanted)
+      take_back(few, enough, wanted);
+    return std::move(best_);
+  }
+
+  /// Makes all cuts that raise the density enough for their seam, both relative.
+  ///
+  /// \param seam  the length of all borders between charts
+  /// \return none if the density does not rise that much
+  std::optional<Cut_charts> trade(double coverage, double seam, double exchange_rate)
+  {
+    // Density goes with the root of the room.
+    while (forest_.cut(2 * exchange_rate * forest_.room() / seam)) {
+    }
+    const double added = forest_.added_cost() / seam;
+    double most = coverage;
+    if (forest_.cuts().empty() ||
+        std::sqrt(try_now(most, 1) / coverage) < 1 + std::max(exchange_rate * added, least_gain))
+      return std::nullopt;
+    return std::move(best_);
+  }
+
+  /// Whether the last search ended because there was nothing more to cut.
+  bool is_exhausted() const { return is_exhausted_; }
+
+private:
+  /// Cuts that raise the density by less may as well owe it to luck.
+  static constexpr double least_gain = 0.02;
+
+  /// Packs the charts as they are now, and keeps them if they are the best so far.
+  double try_now(double& most, double wanted)
+  {
+    Cut_charts now;
+    now.flattened = forest_.write(now.segmentation);
+    now.packed = pack_(now.segmentation, now.flattened);
+    const double coverage = now.packed.coverage;
+    if (coverage > most || coverage >= wanted) {
+      most = coverage;
+      best_ = std::move(now);
+    }
+    return coverage;
+  }
+
+  /// Cuts are numbered in the order in which they were made: `few` are not enough, `enough` are.
+  void take_back(std::size_t few, std::size_t enough, double wanted)
+  {
+    double most = wanted;
+    std::vector<Index> order = forest_.cuts();
+    const auto set_number = [&](std::size_t number) {
+      for (; number_of_cuts_ > number; --number_of_cuts_)
+        forest_.set_cut(order[number_of_cuts_ - 1], false);
+      for (; number_of_cuts_ < number; ++number_of_cuts_)
+        forest_.set_cut(order[number_of_cuts_], true);
+    };
+    for (int i = 0; i < most_halvings && few + 1 < enough; ++i) {
+      const std::size_t middle = (few + enough) / 2;
+      set_number(middle);
+      (try_now(most, wanted) >= wanted ? enough : few) = middle;
+    }
+    set_number(enough);
+    const std::vector<Index> last = forest_.last_cuts();
+    for (std::size_t i = 0; i < last.size() && i < most_retractions; ++i) {
+      forest_.set_cut(last[i], false);
+      if (try_now(most, wanted) < wanted)
+        forest_.set_cut(last[i], true);
+    }
+  }
+
+  Cut_forest forest_;
+  Pack pack_;
+  std::optional<Cut_charts> best_;
+  std::size_t number_of_cuts_ = 0;
+  bool is_exhausted_ = false;
+};
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_CUT_FOREST_H
+#define ATLAS_PIPELINE_INTERNAL_CUT_FOREST_H
+
+#include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/Flattened_chart.h>
+#include <Atlas/core/internal/edge_rules.h>
+#include <Atlas/core/internal/extract_triangles.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/packing/internal/cutting/Chart_cut_finder.h>
+#include <Atlas/segmentation/internal/surface/Seam_costs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// \brief Flattened charts that are cut one after the other, so that they need less room on a page.
+///
+/// Each cut is the one of all charts and pieces that saves most room for its seam. Cuts can be taken back
+/// while their pieces are whole. Pieces keep the shapes that the chart had: what was one-to-one stays so, and
+/// no triangle is distorted more. A piece is scaled to its area in space.
+class Cut_forest
+{
+public:
+  /// \param segmentation  which the charts belong to
+  /// \param is_for_long   whether only charts and pieces are cut that are longer than the page
+  Cut_forest(const Surface& surface, const Segmentation& segmentation,
+             const std::vector<Flattened_chart>& charts, const Room_estimate& room, bool is_for_long,
+             const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), charts_(charts), room_(room),
+        is_for_long_(is_for_long), execution_(execution), costs_(surface, sharp_angle, sharp_discount)
+  {
+    for (Index i = 0; i < charts.size(); ++i)
+      add(charts[i].chart, i, no_index);
+    execution_.for_each(nodes_.size(), [&](std::size_t i) { look_for_cut(nodes_[i]); });
+  }
+
+  /// Makes the cut that saves most for its seam; false if none saves anything, or more than `least_rate` for
+  /// each length of it.
+  bool cut(double least_rate = 0)
+  {
+    Index best = no_index;
+    for (Index i = 0; i < nodes_.size(); ++i)
+      if (const Node& node = nodes_[i]; node.is_leaf && node.cut.number_of_parts > 0)
+        if (best == no_index || node.cut.rate > nodes_[best].cut.rate)
+          best = i;
+    if (best == no_index || !(nodes_[best].cut.rate > least_rate) || execution_.is_cancelled())
+      return false;
+    cut_node(best);
+    cuts_.push_back(best);
+    return true;
+  }
+
+  /// All cuts, in the order in which they were made.
+  const std::vector<Index>& cuts() const { return cuts_; }
+
+  /// The cuts that can be taken back, those that save least for their seam first.
+  std::vector<Index> last_cuts() const
+  {
+    std::vector<Index> result;
+    for (Index i = 0; i < nodes_.size(); ++i) {
+      const auto is_leaf = [&](Index child) { return nodes_[child].is_leaf; };
+      const std::vector<Index>& children = nodes_[i].children;
+      if (is_present(i) && !nodes_[i].is_leaf && std::all_of(children.begin(), children.end(), is_leaf))
+        result.push_back(i);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [&](Index a, Index b) { return nodes_[a].cut.rate < nodes_[b].cut.rate; });
+    return result;
+  }
+
+  /// Takes a cut back, or makes it again.
+  void set_cut(Index node, bool is_cut)
+  {
+    nodes_[node].is_leaf = !is_cut;
+    for (const Index child : nodes_[node].children)
+      nodes_[child].is_leaf = is_cut;
+  }
+
+  /// An estimate of the room that all charts need.
+  double room() const
+  {
+    double sum = 0;
+    for (const Node& node : nodes_)
+      sum += node.is_leaf ? node.room : 0;
+    return sum;
+  }
+
+  /// The length of new seams.
+  double added_cost() const
+  {
+    double sum = 0;
+    for (Index i = 0; i < nodes_.size(); ++i)
+      sum += is_present(i) && !nodes_[i].is_leaf ? nodes_[i].cut.cost : 0;
+    return sum;
+  }
+
+  /// The charts and pieces as they are now. The first piece of a chart keeps its number.
+  std::vector<Flattened_chart> write(Segmentation& segmentation) const
+  {
+    segmentation = segmentation_;
+    std::vector<Flattened_chart> result = charts_;
+    std::vector<bool> is_named(charts_.size(), false);
+    std::vector<std::pair<Index, Index>> pieces; // node, number
+    for (Index i = 0; i < nodes_.size(); ++i) {
+      const Node& node = nodes_[i];
+      if (!node.is_leaf || node.parent == no_index)
+        continue;
+      const Index number = is_named[node.root] ? segmentation.number_of_charts++ : node.root;
+      is_named[node.root] = true;
+      pieces.emplace_back(i, number);
+      for (const Index t : node.chart.source)
+        segmentation.chart[t] = number;
+    }
+    result.resize(segmentation.number_of_charts);
+    std::vector<Index> local(surface_.number_of_triangles());
+    for (const auto& piece : pieces)
+      result[piece.second] = piece_of(charts_[nodes_[piece.first].root], nodes_[piece.first].chart, local);
+    return result;
+  }
+
+private:
+  static constexpr double sharp_angle = std::numbers::pi / 4, sharp_discount = 0.3;
+
+  struct Node
+  {
+    Chart chart;
+    Index root;   ///< the chart it is a piece of
+    Index parent; ///< the node it is a piece of
+    double room = 0;
+    Chart_cut cut = {};
+    std::vector<Index> children = {};
+    bool is_leaf = true; ///< whether it is a chart now
+  };
+
+  /// Whether the node is a chart now, or some of its pieces are.
+  bool is_present(Index i) const
+  {
+    if (nodes_[i].is_leaf)
+      return true;
+    return std::any_of(nodes_[i].children.begin(), nodes_[i].children.end(),
+                       [&](Index child) { return is_present(child); });
+  }
+
+  static std::vector<Vec2> points_of(const Chart& chart)
+  {
+    std::vector<Vec2> points;
+    for (const Point_2& p : chart.uv)
+      points.push_back({p.x(), p.y()});
+    return points;
+  }
+
+  Index add(Chart chart, Index root, Index parent)
+  {
+    const double room = room_(points_of(chart));
+    nodes_.push_back({std::move(chart), root, parent, room});
+    return static_cast<Index>(nodes_.size() - 1);
+  }
+
+  void look_for_cut(Node& node) const
+  {
+    const Chart& chart = node.chart;
+    if (chart.number_of_triangles() < 2 || (is_for_long_ && !room_.is_too_long(points_of(chart))))
+      return;
+    std::vector<double> cost(3 * chart.number_of_triangles());
+    for (Index h = 0; h < cost.size(); ++h) {
+      const Index g = 3 * chart.source[h / 3] + h % 3;
+      const bool is_possible = surface_.opposite[g] != no_index && !must_not_be_seam(surface_, g);
+      cost[h] = is_possible ? costs_(g).cost : std::numeric_limits<double>::infinity();
+    }
+    node.cut = Chart_cut_finder(chart, cost, room_).best(execution_);
+  }
+
+  void cut_node(Index i)
+  {
+    std::vector<std::vector<Index>> lists(nodes_[i].cut.number_of_parts);
+    for (Index t = 0; t < nodes_[i].cut.parts.size(); ++t)
+      lists[nodes_[i].cut.parts[t]].push_back(t);
+    const std::size_t first = nodes_.size();
+    for (const std::vector<Index>& list : lists) {
+      const Index child = add(part_of(nodes_[i].chart, nodes_[i].cut.parts, list), nodes_[i].root, i);
+      nodes_[i].children.push_back(child);
+    }
+    nodes_[i].is_leaf = false;
+    execution_.for_each(nodes_.size() - first, [&](std::size_t k) { look_for_cut(nodes_[first + k]); });
+  }
+
+  /// Some triangles of a chart, with their coordinates at the scale at which they keep their area in space.
+  static Chart part_of(const Chart& chart, const std::vector<Index>& parts,
+                       const std::vector<Index>& triangles)
+  {
+    const std::vector<Index> opposite = opposite_halfedges(chart.triangles);
+    std::vector<Index> local(chart.number_of_triangles());
+    Chart part = extract_triangles(
+        opposite, triangles, local,
+        [&](Index h) { return opposite[h] != no_index && parts[opposite[h] / 3] == parts[h / 3]; },
+        [&](Index h) -> const Point_3& { return chart.points[chart.triangles[h / 3][h % 3]]; });
+    part.uv.resize(part.points.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        part.uv[part.triangles[t][i]] = chart.uv[chart.triangles[triangles[t]][i]];
+    for (Index& t : part.source)
+      t = chart.source[t];
+    give_area(part);
+    return part;
+  }
+
+  static void give_area(Chart& chart)
+  {
+    const double scale = std::sqrt(area_3d(chart) / std::abs(area_uv(chart)));
+    if (std::isfinite(scale) && scale > 0.5 && scale < 2)
+      for (Point_2& p : chart.uv)
+        p = Point_2(scale * p.x(), scale * p.y());
+  }
+
+  /// A piece of a chart, as the chart was made. Coordinates go by the corners of triangles.
+  Flattened_chart piece_of(const Flattened_chart& whole, const Chart& piece, std::vector<Index>& local) const
+  {
+    Flattened_chart result{piece, whole.verdict, whole.record, {}};
+    result.verdict.culprits.clear();
+    if (whole.uv_before.empty())
+      return result;
+    for (Index t = 0; t < whole.chart.source.size(); ++t)
+      local[whole.chart.source[t]] = t;
+    result.uv_before.resize(piece.number_of_vertices());
+    for (std::size_t t = 0; t < piece.source.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        result.uv_before[piece.triangles[t][i]] =
+            whole.uv_before[whole.chart.triangles[local[piece.source[t]]][i]];
+    return result;
+  }
+
+  const Surface& surface_;
+  Segmentation segmentation_;
+  std::vector<Flattened_chart> charts_;
+  Room_estimate room_;
+  bool is_for_long_;
+  const Execution& execution_;
+  Seam_costs costs_;
+  std::vector<Node> nodes_;
+  std::vector<Index> cuts_;
+};
+
+} // namespace Atlas::internal
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_PAGE_CUTTER_H
+#define ATLAS_PIPELINE_INTERNAL_PAGE_CUTTER_H
+
+#include <Atlas/core/internal/Flattened_chart.h>
+#include <Atlas/core/internal/halfedges.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/pipeline/internal/Coverage_search.h>
+#include <Atlas/pipeline/internal/run_atlas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// Whether pages are as full as asked for, and why not.
+inline Coverage_outcome coverage_outcome(double coverage, double wanted, bool are_cuts_exhausted)
+{
+  if (!(wanted > 0))
+    return Coverage_outcome::not_asked_for;
+  if (coverage >= wanted)
+    return Coverage_outcome::kept;
+  return are_cuts_exhausted ? Coverage_outcome::no_cut_helps : Coverage_outcome::given_up;
+}
+
+/// \brief Cuts charts until the pages are as full as asked for, or where that is worth its seam.
+class Page_cutter
+{
+public:
+  /// What is taken for full pages where no coverage is asked for: less would make pages too large to be of
+  /// use for what is too long for them.
+  static constexpr double usual_coverage = 0.7;
+  /// Rounding takes that much of the coverage at most.
+  static constexpr double coverage_lost = 2e-4;
+
+  /// \param surface  of the charts. All must outlive this object
+  Page_cutter(const Surface& surface, const Chart_packing& packing, const Page_options& page,
+              const Page_wishes& wishes, const Execution& execution)
+      : surface_(surface), packing_(packing), page_(page), wishes_(wishes), execution_(execution)
+  {}
+
+  /// \param coverage  of the pages with the charts as they are
+  /// \return none if the charts stay as they are
+  std::optional<Cut_charts> operator()(const Segmentation& segmentation,
+                                       const std::vector<Flattened_chart>& charts, double coverage)
+  {
+    const double rate = wishes_.seam_exchange_rate.value_or(1), wanted = wishes_.min_coverage + coverage_lost;
+    const bool is_asked = wishes_.min_coverage > 0;
+    if (is_asked ? coverage >= wanted : !(rate > 0))
+      return std::nullopt;
+    const Room_estimate room = room_on_pages(is_asked ? wanted : std::max(coverage, usual_coverage));
+    Cut_forest forest(surface_, segmentation, charts, room, !is_asked && !wishes_.seam_exchange_rate,
+                      execution_);
+    Coverage_search search(std::move(forest), [&](const Segmentation& s, const auto& flattened) {
+      Packed_charts result = packing_.charts(s, flattened);
+      packing_.pack(result, page_);
+      return result;
+    });
+    std::optional<Cut_charts> cut =
+        is_asked ? search.reach(coverage, wanted) : search.trade(coverage, half_of_borders(charts), rate);
+    is_exhausted_ = search.is_exhausted();
+    return cut;
+  }
+
+  /// Whether the last search ended as there was nothing more to cut.
+  bool is_exhausted() const { return is_exhausted_; }
+
+private:
+  /// The length of all seams in space. Borders of the surface count half: a strip has no other seams.
+  static double half_of_borders(const std::vector<Flattened_chart>& charts)
+  {
+    double length = 0;
+    for (const Flattened_chart& f : charts) {
+      const std::vector<Index> opposite = opposite_halfedges(f.chart.triangles);
+      for (Index h = 0; h < opposite.size(); ++h)
+        if (opposite[h] == no_index)
+          length += std::sqrt(CGAL::squared_distance(f.chart.points[f.chart.triangles[h / 3][h % 3]],
+                                                     f.chart.points[f.chart.triangles[h / 3][(h + 1) % 3]]));
+    }
+    return length / 2;
+  }
+
+  Room_estimate room_on_pages(double coverage) const
+  {
+    const double area = double(page_.width) * page_.height;
+    const double texel = std::sqrt(area_3d(surface_) / (area * page_.pages * coverage));
+    return {texel * std::sqrt(area), texel * page_.effective_gutter()};
+  }
+
+  const Surface& surface_;
+  const Chart_packing& packing_;
+  const Page_options& page_;
+  const Page_wishes& wishes_;
+  const Execution& execution_;
+  bool is_exhausted_ = false;
+};
+
+} // namespace Atlas::internal
+
+#endif
