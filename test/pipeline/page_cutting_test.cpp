@@ -115,12 +115,11 @@ TEST(SeamExchangeRate, AStripThatSetsTheDensityIsCut)
 {
   const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));
   const auto np = parameters::texture_size(512);
-  const Result never = atlas_of(strip, np.seam_exchange_rate(0)), usual = atlas_of(strip, np);
-  ASSERT_TRUE(never.report.is_valid() && usual.report.is_valid());
+  const Result never = atlas_of(strip, np), traded = atlas_of(strip, np.seam_exchange_rate(1));
+  ASSERT_TRUE(never.report.is_valid() && traded.report.is_valid());
   EXPECT_EQ(never.report.charts.size(), 1u);
-  EXPECT_GT(usual.report.pieces_cut_for_pages, 3u);
-  EXPECT_GT(usual.report.density, 3 * never.report.density);
-  EXPECT_EQ(atlas_of(strip, np.max_charts(1)).report.charts.size(), 1u);
+  EXPECT_GT(traded.report.pieces_cut_for_pages, 3u);
+  EXPECT_GT(traded.report.density, 3 * never.report.density);
   EXPECT_EQ(atlas_of(strip, np.seam_exchange_rate(1e6)).report.charts.size(), 1u);
 }
 

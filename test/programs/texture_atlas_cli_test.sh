@@ -340,8 +340,11 @@ expect 2 1 cube.obj --gutter nan -o out/a.obj
 expect 2 1 cube.obj --gutter 600 -o out/a.obj
 expect 2 1 cube.obj --threads x -o out/a.obj
 expect 2 1 cube.obj -o out/a.txt
+expect 2 1 cube.obj --min-coverage 1.5 -o out/a.obj
+expect 2 1 cube.obj --min-coverage 0.8 --density 9 -o out/a.obj
 expect 0 0 --help
 for option in MESH --output --mode --max-distortion --measure --max-charts --min-chart-texels --hard-angle --separate-materials \
+  --min-coverage --seam-exchange-rate --min-texels-per-chart \
   --keep-uv --texture-size --gutter --pages --density --effort --rotation --up --snap --mip-levels --block --stack --weight --group --lock --report --threads \
   --pictures --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"

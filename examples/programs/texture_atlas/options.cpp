@@ -91,8 +91,7 @@ void add_coverage_options(CLI::App& app, Options& options)
   app.add_option(
          "--seam-exchange-rate", options.seam_exchange_rate,
          "Cut charts where that gives so many per cent more texels per unit for each per cent of added "
-         "seam; 0: never. Default: 1, and only charts that are longer than the page, which set the "
-         "density of all others")
+         "seam, both relative. Default: never")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--min-texels-per-chart", options.min_texels_per_chart,
                  "Enlarge charts of fewer texels until they have so many. Default: no limit")

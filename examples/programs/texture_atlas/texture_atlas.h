@@ -14,7 +14,6 @@
 #include "policies.h"
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +26,12 @@ struct Options : Packing_options
   std::string output, report, picture;
   std::string mode = "standard", measure;
   Stage_names stages;
-  std::string seams;                                               ///< a file of them
-  double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
-  double max_stretch = 0, max_stretch_share = 0;                   ///< 0: not given
-  double min_coverage = 0, min_texels_per_chart = 0;               ///< 0: not given
-  std::optional<double> seam_exchange_rate;
-  double min_coverage = 0, min_texels_per_chart = 0; ///< 0: not given
-  double seam_exchange_rate = -1;                    ///< negative: not given
+  std::string seams;                                                         ///< a file of them
+  double max_distortion = 0, hard_angle = 0, min_chart_texels = 0;           ///< 0: not given
+  double max_stretch = 0, max_stretch_share = 0;                             ///< 0: not given
+  double min_coverage = 0, min_texels_per_chart = 0, seam_exchange_rate = 0; ///< 0: not given
+  double min_coverage = 0, min_texels_per_chart = 0;                         ///< 0: not given
+  double seam_exchange_rate = -1;                                            ///< negative: not given
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;

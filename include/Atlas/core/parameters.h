@@ -126,8 +126,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return with<internal::min_coverage_t>(k);
   }
   /// Charts are cut where the density of texels rises by at least so many per cent for each per cent of added
-  /// seam; 0: never. Default: by 1, and only charts that are longer than the page and so set the density of
-  /// all others; never in the mode `paper`, or with `max_charts` or policies that are given one by one.
+  /// seam; default 0: never. `min_coverage` goes before.
   template <typename K>
   auto seam_exchange_rate(const K& k) const
   {

@@ -32,12 +32,11 @@ class Cut_forest
 {
 public:
   /// \param segmentation  which the charts belong to
-  /// \param is_for_long   whether only charts and pieces are cut that are longer than the page
   Cut_forest(const Surface& surface, const Segmentation& segmentation,
-             const std::vector<Flattened_chart>& charts, const Room_estimate& room, bool is_for_long,
+             const std::vector<Flattened_chart>& charts, const Room_estimate& room,
              const Execution& execution)
-      : surface_(surface), segmentation_(segmentation), charts_(charts), room_(room),
-        is_for_long_(is_for_long), execution_(execution), costs_(surface, sharp_angle, sharp_discount)
+      : surface_(surface), segmentation_(segmentation), charts_(charts), room_(room), execution_(execution),
+        costs_(surface, sharp_angle, sharp_discount)
   {
     for (Index i = 0; i < charts.size(); ++i)
       add(charts[i].chart, i, no_index);
@@ -169,7 +168,7 @@ private:
   void look_for_cut(Node& node) const
   {
     const Chart& chart = node.chart;
-    if (chart.number_of_triangles() < 2 || (is_for_long_ && !room_.is_too_long(points_of(chart))))
+    if (chart.number_of_triangles() < 2)
       return;
     std::vector<double> cost(3 * chart.number_of_triangles());
     for (Index h = 0; h < cost.size(); ++h) {
@@ -243,7 +242,6 @@ private:
   Segmentation segmentation_;
   std::vector<Flattened_chart> charts_;
   Room_estimate room_;
-  bool is_for_long_;
   const Execution& execution_;
   Seam_costs costs_;
   std::vector<Node> nodes_;

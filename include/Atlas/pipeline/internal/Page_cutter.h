@@ -48,13 +48,12 @@ public:
   std::optional<Cut_charts> operator()(const Segmentation& segmentation,
                                        const std::vector<Flattened_chart>& charts, double coverage)
   {
-    const double rate = wishes_.seam_exchange_rate.value_or(1), wanted = wishes_.min_coverage + coverage_lost;
+    const double rate = wishes_.seam_exchange_rate, wanted = wishes_.min_coverage + coverage_lost;
     const bool is_asked = wishes_.min_coverage > 0;
     if (is_asked ? coverage >= wanted : !(rate > 0))
       return std::nullopt;
     const Room_estimate room = room_on_pages(is_asked ? wanted : std::max(coverage, usual_coverage));
-    Cut_forest forest(surface_, segmentation, charts, room, !is_asked && !wishes_.seam_exchange_rate,
-                      execution_);
+    Cut_forest forest(surface_, segmentation, charts, room, execution_);
     Coverage_search search(std::move(forest), [&](const Segmentation& s, const auto& flattened) {
       Packed_charts result = packing_.charts(s, flattened);
       packing_.pack(result, page_);

@@ -20,10 +20,10 @@ using Progress = std::function<bool(Stage, double)>;
 /// What charts do for their pages.
 struct Page_wishes
 {
-  double min_coverage = 0; ///< charts are cut until they cover this share of the pages; 0: no such wish
-  std::optional<double> seam_exchange_rate; ///< cuts that raise the density by this per added seam are made,
-                                            ///< both relative; nothing: by 1, and of long charts only
-  double min_texels_per_chart = 0;          ///< smaller charts are enlarged
+  double min_coverage = 0;       ///< charts are cut until they cover this share of the pages; 0: no such wish
+  double seam_exchange_rate = 0; ///< cuts that raise the density by this per added seam are made, both
+                                 ///< relative; 0: none
+  double min_texels_per_chart = 0; ///< smaller charts are enlarged
 };
 
 /// What a run is asked for: what the named parameters say, with policies where they are given.

@@ -82,21 +82,8 @@ inline void check_page_wishes(const Atlas_request& request)
   require(wishes.min_coverage >= 0 && wishes.min_coverage < 1, "min_coverage", "must be in [0, 1)");
   require(wishes.min_coverage == 0 || request.page.density == 0, "min_coverage",
           "cannot be kept at a given density: the last page has what is left over");
-  require_not_negative(wishes.seam_exchange_rate.value_or(0), "seam_exchange_rate");
+  require_not_negative(wishes.seam_exchange_rate, "seam_exchange_rate");
   require_not_negative(wishes.min_texels_per_chart, "min_texels_per_chart");
-}
-
-/// Wishes for pages, complete: who wants the paper to the letter, few charts, or policies of his own, gets
-/// charts as they are, unless he says that they may be cut.
-inline Page_wishes wishes_of(const Atlas_request& request)
-{
-  Page_wishes wishes = request.wishes;
-  const bool is_own = request.mode == Atlas_mode::paper || request.max_charts.value_or(0) > 0 ||
-                      merge_options_of(request).max_charts > 0 || request.segmentation ||
-                      request.parameterizer || request.optimizer || request.validator || request.splitter;
-  if (!wishes.seam_exchange_rate && is_own)
-    wishes.seam_exchange_rate = 0;
-  return wishes;
 }
 
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
@@ -114,7 +101,7 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
   const auto run = [&](const Surface& input) {
-    return Atlas_pipeline(input, policies, page, wishes_of(request), shared_parts(request), request.threads,
+    return Atlas_pipeline(input, policies, page, request.wishes, shared_parts(request), request.threads,
                           request.progress)
         .run(corner_uv);
   };

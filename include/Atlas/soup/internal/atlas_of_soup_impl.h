@@ -13,7 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 namespace Atlas::internal {
 
@@ -53,14 +52,6 @@ ATLAS_INLINE Merge_options merge_options_of(const Soup_options& options)
   return merge;
 }
 
-/// Who gives a number of charts wants no more of them, unless he says so.
-inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
-{
-  if (!options.seam_exchange_rate && options.max_charts > 0)
-    return 0;
-  return options.seam_exchange_rate;
-}
-
 /// The policies that are given, or those of the mode.
 inline Policies policies_of(const Soup_options& options)
 {
@@ -88,7 +79,7 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
   const auto common = parameters::page_options(options.page)
                           .packer(Material_packer{surface, model, options.rules, policies.packer})
                           .min_coverage(options.min_coverage)
-                          .seam_exchange_rate(seam_exchange_rate_of(options))
+                          .seam_exchange_rate(options.seam_exchange_rate)
                           .min_texels_per_chart(options.min_texels_per_chart)
                           .number_of_threads(options.threads)
                           .progress(progress);

@@ -41,13 +41,6 @@ struct Room_estimate
     return high - low;
   }
 
-  /// Whether a chart with these points on its border is longer than the page. O(n log n).
-  bool is_too_long(std::vector<Vec2> points) const
-  {
-    const Vec2 extent = extent_of(convex_hull(std::move(points)));
-    return std::max(extent.x, extent.y) > longest * side;
-  }
-
   /// O(n log n) for n points, which are those of the chart's border.
   double operator()(std::vector<Vec2> points) const
   {
