@@ -100,8 +100,7 @@ TEST(ChartCutFinder, KeepsAwayFromEdgesThatMustNotBeSeams)
   for (Index h = 0; h < 3 * angle.triangles.size(); ++h)
     for (Index g = 0; g < h; ++g) {
       const auto end = [&](Index e) { return angle.triangles[e / 3][e % 3]; };
-      const bool is_edge =
-          end(h) == end(internal::next_halfedge(g)) && end(g) == end(internal::next_halfedge(h));
+      const bool is_edge = end(h) == end(next_halfedge(g)) && end(g) == end(next_halfedge(h));
       if (is_edge && cut.parts[h / 3] != cut.parts[g / 3]) {
         EXPECT_GT(angle.uv[end(h)].x(), 4);
       }

@@ -30,8 +30,6 @@ struct Options : Packing_options
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0;           ///< 0: not given
   double max_stretch = 0, max_stretch_share = 0;                             ///< 0: not given
   double min_coverage = 0, min_texels_per_chart = 0, seam_exchange_rate = 0; ///< 0: not given
-  double min_coverage = 0, min_texels_per_chart = 0;                         ///< 0: not given
-  double seam_exchange_rate = -1;                                            ///< negative: not given
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;
