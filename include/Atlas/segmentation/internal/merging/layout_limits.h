@@ -7,7 +7,9 @@
 #include <Atlas/segmentation/internal/merging/layout_quality.h>
 #include <Atlas/segmentation/merge_charts.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Atlas::internal {
 
@@ -17,6 +19,19 @@ inline double solidity(const Chart& layout)
   return area_uv(layout) / hull_area(layout.uv);
 }
 
+/// The share of the area that has to keep the stretch on a coarse surface: all but the largest triangle,
+/// where that is more than the bound leaves out. A quantile is no worst triangle.
+inline double share_of_coarse_triangles(const std::vector<Triangle_distortion>& measured,
+                                        const Distortion_bound& bound)
+{
+  double sum = 0, largest = 0;
+  for (const Triangle_distortion& t : measured) {
+    sum += t.area_3d;
+    largest = std::max(largest, t.area_3d);
+  }
+  return bound.stretch_share < 1 && sum > 0 ? 1 - largest / sum : 1;
+}
+
 /// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
@@ -24,7 +39,9 @@ inline bool is_within_bound(const Chart& layout, const Merge_options& options, d
     Distortion_bound bound = bound_of(options);
     bound.max = 1 + factor * options.share_for_trials * (bound.max - 1);
     bound.max_stretch = 1 + factor * options.share_for_trials * (bound.max_stretch - 1);
-    if (!(used_share(triangle_distortions(layout), bound) <= 1))
+    const std::vector<Triangle_distortion> measured = triangle_distortions(layout);
+    bound.stretch_share = std::min(bound.stretch_share, share_of_coarse_triangles(measured, bound));
+    if (!(used_share(measured, bound) <= 1))
       return false;
   }
   for (const auto& [u, v, w] : layout.triangles)
