@@ -38,6 +38,12 @@ with open("sheet.obj", "w") as f:
         for i in range(n - 1):
             a = j * n + i + 1
             print("f", a, a + 1, a + n + 1, a + n, file=f)
+with open("colored.obj", "w") as f:
+    for line in open("sheet.obj"):
+        shade = 0.1 * (len(line) % 7)
+        f.write(f"{line.strip()} {shade} {shade} {shade}\n" if line.startswith("v") else line)
+with open("seen.txt", "w") as f:
+    print("# left to right", *(f"{i / (n - 1):.3f}" for j in range(n) for i in range(n)), file=f, sep="\n")
 # A box of two floors: vertices 5 to 8 are around its middle.
 points = [(x, y, z) for z in range(3) for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)]]
 sides = [(4 * z + i, 4 * z + (i + 1) % 4, 4 * z + 4 + (i + 1) % 4, 4 * z + 4 + i) for z in range(2) for i in range(4)]
@@ -54,6 +60,8 @@ for name, text in {
     "far.txt": "5 6\n6 99\n",
     "word.txt": "5 6 x\n",
     "none.txt": "nothing here\n",
+    "few.txt": "0.5\n1\n",
+    "large.txt": "0.5\n1.5\n",
 }.items():
     open(name, "w").write(text)
 MESHES
@@ -120,5 +128,20 @@ refuse 3 'far.txt.*line 2.*99' box.obj -o a.obj --seams far.txt
 refuse 3 'word.txt.*line 1.*x' box.obj -o a.obj --seams word.txt
 refuse 3 'none.txt' box.obj -o a.obj --seams none.txt
 refuse 3 'missing.txt' box.obj -o a.obj --seams missing.txt
+
+# Seams out of sight: by openness, viewers, colours and numbers.
+for hiding in openness view:0,0,1 view:-z dome:y colors seen.txt; do
+  mesh=sheet.obj
+  [ $hiding = colors ] && mesh=colored.obj
+  make $mesh --hide-seams $hiding
+done
+for hiding in view dome:0,0,0 view:1,2 dome:w view:1,2,3,4; do
+  refuse 2 '--hide-seams.*axis' sheet.obj -o a.obj --hide-seams $hiding
+done
+refuse 3 'no colours' sheet.obj -o a.obj --hide-seams colors
+refuse 3 'missing.txt' sheet.obj -o a.obj --hide-seams missing.txt
+refuse 3 'few.txt.*2.*144' sheet.obj -o a.obj --hide-seams few.txt
+refuse 3 'large.txt.*line 2.*1.5' sheet.obj -o a.obj --hide-seams large.txt
+refuse 2 '--keep-uv.*--hide-seams' sheet.obj -o a.obj --keep-uv --hide-seams openness
 
 finish

@@ -54,5 +54,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.threads = options.threads;
   if (!options.seams.empty() && !options.keeps_uv)
     constrain_seams(options.seams, model, surface);
+  if (!options.hiding.empty())
+    hide_seams(options, model, surface);
   return atlas_of_soup(wishes, model, surface, uv, progress);
 }

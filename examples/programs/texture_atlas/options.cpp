@@ -98,6 +98,23 @@ void add_coverage_options(CLI::App& app, Options& options)
       ->check(CLI::Range(0.0, 1e6));
 }
 
+/// Where seams run.
+void add_seam_options(CLI::App& app, Options& options)
+{
+  app.add_option(
+         "--hide-seams", options.hiding,
+         "Let seams run where they are hardly seen, even if they get a little longer. `openness`: where "
+         "little light gets to; `view:X,Y,Z`: out of sight of a viewer in that direction; `dome:AXIS`: "
+         "of viewers in the half-space there, such as `dome:z` above the ground, an axis being `x`, "
+         "`-x`, `y` ... or X,Y,Z; `colors`: where the colours of the vertices are dark; else a file "
+         "with a number per vertex, 0 where seams are hidden to 1 where they are seen")
+      ->check([](const std::string& text) {
+        return is_hiding(text) ? std::string()
+                               : "'" + text + "' has no axis: x, -x, y ... or X,Y,Z, not all 0";
+      })
+      ->type_name("openness|view:AXIS|dome:AXIS|colors|FILE");
+}
+
 /// What is done with the coordinates and faces of the file.
 void add_input_options(CLI::App& app, Options& options)
 {
@@ -170,7 +187,7 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
   }
   for (const char* name :
        {"--mode", "--max-distortion", "--measure", "--max-stretch", "--max-charts", "--min-chart-texels",
-        "--hard-angle", "--straighten", "--separate-materials", "--seams", "--segmentation",
+        "--hard-angle", "--straighten", "--separate-materials", "--seams", "--hide-seams", "--segmentation",
         "--parameterizer", "--solver", "--pins", "--optimizer", "--validator", "--max-area-ratio"})
     refuse(name, "--keep-uv",
            std::string("the charts of the file stay as they are, so ") + name +
@@ -196,6 +213,7 @@ void declare_options(CLI::App& app, Options& options)
       "own stem, `out.obj` becomes `out_<stem of MESH>.obj`, and they share all other files; default: "
       "atlas.obj");
   add_chart_options(app, options);
+  add_seam_options(app, options);
   add_stretch_options(app, options);
   add_stage_options(app, options.stages);
   add_input_options(app, options);

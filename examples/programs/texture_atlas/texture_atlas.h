@@ -27,6 +27,7 @@ struct Options : Packing_options
   std::string mode = "standard", measure;
   Stage_names stages;
   std::string seams;                                                         ///< a file of them
+  std::string hiding;                                                        ///< from whom seams are hidden
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0;           ///< 0: not given
   double max_stretch = 0, max_stretch_share = 0;                             ///< 0: not given
   double min_coverage = 0, min_texels_per_chart = 0, seam_exchange_rate = 0; ///< 0: not given
@@ -65,6 +66,13 @@ Input read_meshes(const Options& options);
 
 /// Makes seams of the edges in a file. \throw Atlas::IO_error if it cannot be read, or names what is no edge
 void constrain_seams(const std::string& file, const Atlas::Polygon_soup& model, Atlas::Surface& surface);
+
+/// Whether the text tells from whom seams are hidden: a keyword, with an axis where it needs one, or a file.
+bool is_hiding(const std::string& text);
+
+/// Makes seams cheap where they are not seen. \throw Atlas::IO_error if a file of visibility cannot be read
+/// or does not fit, or there are no colours to read it from
+void hide_seams(const Options& options, const Atlas::Polygon_soup& model, Atlas::Surface& surface);
 
 /// Makes the atlas. `uv` gets the coordinates per corner of the model.
 Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,

@@ -31,6 +31,8 @@ struct min_texels_per_chart_t
 {};
 struct straighten_t
 {};
+struct hide_seams_t
+{};
 struct seam_cost_map_t
 {};
 struct forbidden_seam_map_t
@@ -159,6 +161,12 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::seam_cost_map_t>(k);
   }
+  /// Makes seams cheap where they are hardly seen, besides what the map of costs says: a `Seam_hiding`.
+  template <typename K>
+  auto hide_seams(const K& k) const
+  {
+    return with<internal::hide_seams_t>(k);
+  }
   /// A readable map of Booleans from edges: those that must not be seams, as far as topology allows.
   template <typename K>
   auto forbidden_seam_map(const K& k) const
@@ -275,6 +283,7 @@ template <typename K> auto min_texels_per_chart(const K& k) { return Named_param
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
 template <typename K> auto straighten(const K& k) { return Named_parameters<K, internal::straighten_t>(k); }
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
+template <typename K> auto hide_seams(const K& k) { return Named_parameters<K, internal::hide_seams_t>(k); }
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
 template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }
 template <typename K> auto policies(const K& k) { return Named_parameters<K, internal::policies_t>(k); }

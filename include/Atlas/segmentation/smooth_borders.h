@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <span>
 
 namespace Atlas {
 
@@ -51,10 +52,43 @@ std::size_t smooth_borders(const Surface& surface, Segmentation& segmentation,
                            const Smoothing_options& options = {}, const Execution& execution = Execution(),
                            const Smoothing_filter& keep = {});
 
+/// \brief Who shall not see seams: viewers in all directions up to an angle from an axis.
+struct Seam_hiding
+{
+  Vector_3 toward =
+      Vector_3(0, 0, 1);  ///< the axis, from the model to the viewers; finite, of any length but 0
+  double max_angle = 180; ///< degrees from the axis, in (0, 180]; 180: all around
+
+  /// Viewers everywhere: what counts is how open a place is (ambient occlusion).
+  static Seam_hiding openness() { return {}; }
+  /// Viewers in the half-space beyond a plane, such as above the ground.
+  static Seam_hiding dome(const Vector_3& up) { return {up, 90}; }
+  /// Viewers who look at the model from about one direction.
+  static Seam_hiding view(const Vector_3& toward) { return {toward, 20}; }
+};
+
+/// \brief Makes seams cheap where they are hardly seen: multiplies `Surface::seam_cost`.
+///
+/// A place is seen as much as the light from all viewers that reaches it is of what reaches a place that
+/// faces their axis and that nothing hides. The model hides itself, as depth buffers from 64 directions tell;
+/// what is smaller than two of their pixels, 1/150 of the model's size, counts as open. Faces have two sides,
+/// and of each component the side counts that is seen more. O(vertices + triangles) for each direction.
+/// Deterministic for any number of threads. Once cancelled, the surface stays as it is.
+///
+/// \throws Invalid_argument if the axis or the angle is out of its range
+void hide_seams(Surface& surface, const Seam_hiding& from = {}, const Execution& execution = Execution());
+
+/// \brief The same by a map: how much each point of the surface is seen, painted or from elsewhere.
+///
+/// \param visibility  per point of the surface, in [0, 1]; a seam where it is 1 costs 20 times one where it
+/// is 0 \throws Invalid_argument if there is not one value per point, or one is out of its range
+void hide_seams(Surface& surface, std::span<const double> visibility);
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/segmentation/internal/smoothing/smooth_borders_impl.h>
+#include <Atlas/segmentation/internal/visibility/hide_seams_impl.h>
 #endif
 
 #endif

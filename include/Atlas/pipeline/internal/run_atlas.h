@@ -7,6 +7,7 @@
 #include <Atlas/core/internal/library.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/presets.h>
+#include <Atlas/segmentation/smooth_borders.h>
 
 #include <functional>
 #include <optional>
@@ -35,8 +36,9 @@ struct Atlas_request
   std::optional<std::size_t> max_charts;
   double min_chart_texels = 0;
   Page_wishes wishes;
-  double hard_angle = 0;        ///< degrees; 0: none
-  bool is_straightened = false; ///< whether grids of quadrilaterals become rectangles
+  double hard_angle = 0;             ///< degrees; 0: none
+  std::optional<Seam_hiding> hiding; ///< from where seams shall not be seen
+  bool is_straightened = false;      ///< whether grids of quadrilaterals become rectangles
   unsigned threads = 0;
   Progress progress;
 

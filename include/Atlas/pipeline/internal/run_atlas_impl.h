@@ -105,11 +105,14 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
                           request.progress)
         .run(corner_uv);
   };
-  if (!(request.hard_angle > 0))
+  if (!(request.hard_angle > 0) && !request.hiding)
     return run(surface);
-  Surface with_hard_edges = surface;
-  constrain_hard_edges(with_hard_edges, request.hard_angle);
-  return run(with_hard_edges);
+  Surface with_wishes = surface;
+  if (request.hard_angle > 0)
+    constrain_hard_edges(with_wishes, request.hard_angle);
+  if (request.hiding)
+    hide_seams(with_wishes, *request.hiding, Execution(request.threads));
+  return run(with_wishes);
 }
 
 } // namespace Atlas::internal

@@ -6,6 +6,7 @@
 #include <Atlas/core/internal/Union_find.h>
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/core/internal/halfedges.h>
+#include <Atlas/segmentation/internal/surface/Seam_costs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ struct Element_graph
   {
     Index element;
     double length; ///< of the shared edges
+    double cost;   ///< of a seam along them: lengths times the user's factors
   };
   std::vector<std::size_t> first; ///< per element: where its links start; one more entry closes the list
   std::vector<Link> links;
@@ -48,16 +50,16 @@ inline Index elements_of_triangles(const Surface& surface, std::vector<Index>& e
   return elements.count;
 }
 
-/// Fills the links from (element, other, length) triples in any order; parallel links become one. O(n).
+/// Fills the links from (element, other, length, cost) in any order; parallel links become one. O(n).
 template <typename ForEachLink>
 void fill_links(Element_graph& graph, std::size_t n, ForEachLink for_each_link)
 {
   std::vector<std::size_t> start(n + 1, 0);
-  for_each_link([&](Index a, Index, double) { ++start[a + 1]; });
+  for_each_link([&](Index a, Index, double, double) { ++start[a + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<Element_graph::Link> raw(start.back());
   std::vector<std::size_t> fill(start.begin(), start.end() - 1);
-  for_each_link([&](Index a, Index b, double length) { raw[fill[a]++] = {b, length}; });
+  for_each_link([&](Index a, Index b, double length, double cost) { raw[fill[a]++] = {b, length, cost}; });
 
   constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
   std::vector<std::size_t> slot(n, nowhere);
@@ -67,9 +69,10 @@ void fill_links(Element_graph& graph, std::size_t n, ForEachLink for_each_link)
     const std::size_t begin = graph.links.size();
     for (std::size_t k = start[a]; k < start[a + 1]; ++k) {
       std::size_t& s = slot[raw[k].element];
-      if (s != nowhere && s >= begin && s < graph.links.size() && graph.links[s].element == raw[k].element)
+      if (s != nowhere && s >= begin && s < graph.links.size() && graph.links[s].element == raw[k].element) {
         graph.links[s].length += raw[k].length;
-      else {
+        graph.links[s].cost += raw[k].cost;
+      } else {
         s = graph.links.size();
         graph.links.push_back(raw[k]);
       }
@@ -100,9 +103,11 @@ inline Element_graph element_graph(const Surface& surface, const std::vector<Ind
   }
   fill_links(graph, count, [&](auto link) {
     for (Index h = 0; h < surface.opposite.size(); ++h)
-      if (!must_be_seam(surface, h) && element[h / 3] != element[surface.opposite[h] / 3])
-        link(element[h / 3], element[surface.opposite[h] / 3],
-             std::sqrt(CGAL::squared_distance(surface.point(h), surface.point(next_halfedge(h)))));
+      if (!must_be_seam(surface, h) && element[h / 3] != element[surface.opposite[h] / 3]) {
+        const double length =
+            std::sqrt(CGAL::squared_distance(surface.point(h), surface.point(next_halfedge(h))));
+        link(element[h / 3], element[surface.opposite[h] / 3], length, length * wanted_cost(surface, h));
+      }
   });
   return graph;
 }
@@ -124,7 +129,7 @@ inline Element_graph contract(const Element_graph& graph, const std::vector<Inde
     for (Index e = 0; e < graph.size(); ++e)
       for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k)
         if (group[e] != group[graph.links[k].element])
-          link(group[e], group[graph.links[k].element], graph.links[k].length);
+          link(group[e], group[graph.links[k].element], graph.links[k].length, graph.links[k].cost);
   });
   return result;
 }
@@ -144,13 +149,13 @@ inline Index match_neighbors(const Element_graph& graph, std::vector<Index>& gro
     Index best = no_index;
     double best_score = 0;
     for (std::size_t k = graph.first[e]; k < graph.first[e + 1]; ++k) {
-      const auto& [other, length] = graph.links[k];
+      const Index other = graph.links[k].element;
       if (group[other] != no_index)
         continue;
       const double area = graph.area[e] + graph.area[other];
       const double flat =
           area > 0 ? std::sqrt((graph.area_vector[e] + graph.area_vector[other]).squared_length()) / area : 1;
-      const double score = length / (std::sqrt(area) * (1 + weight_of_bends * (1 - flat)));
+      const double score = graph.links[k].cost / (std::sqrt(area) * (1 + weight_of_bends * (1 - flat)));
       if (best == no_index || score > best_score) {
         best = other;
         best_score = score;

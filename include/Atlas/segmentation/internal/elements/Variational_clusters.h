@@ -22,7 +22,14 @@ class Variational_clusters
 public:
   Variational_clusters(const Element_graph& graph, double compactness)
       : graph_(&graph), compactness_(compactness)
-  {}
+  {
+    double length = 0, cost = 0;
+    for (const Element_graph::Link& link : graph.links) {
+      length += link.length;
+      cost += link.cost;
+    }
+    mean_cost_ = length > 0 ? cost / length : 1;
+  }
 
   std::size_t size() const { return seed_.size(); }
   const std::vector<Index>& clusters() const { return cluster_; }
@@ -52,6 +59,7 @@ public:
     {
       double cost;
       Index element, cluster;
+      double reluctance; ///< part of the cost: that of the way there
       bool operator<(const Entry& o) const
       {
         return std::tie(cost, element, cluster) > std::tie(o.cost, o.element, o.cluster);
@@ -62,9 +70,9 @@ public:
     std::vector<double> best(graph_->size(), std::numeric_limits<double>::infinity());
     std::priority_queue<Entry> queue;
     for (Index c = 0; c < size(); ++c)
-      queue.push({-1, seed_[c], c}); // before everything else, so that no cluster loses its seed
+      queue.push({-1, seed_[c], c, 0}); // before everything else, so that no cluster loses its seed
     while (!queue.empty()) {
-      const auto [cost_now, e, c] = queue.top();
+      const auto [cost_now, e, c, reluctance_now] = queue.top();
       queue.pop();
       if (cluster_[e] != no_index)
         continue;
@@ -73,10 +81,11 @@ public:
         const Index o = graph_->links[k].element;
         if (cluster_[o] != no_index)
           continue;
-        const double cost_o = cost(o, c);
+        const double reluctance_o = reluctance_now + reluctance(e, graph_->links[k]);
+        const double cost_o = cost(o, c) + reluctance_o;
         if (cost_o < best[o] || best[o] == std::numeric_limits<double>::infinity()) {
           best[o] = std::min(cost_o, std::numeric_limits<double>::max());
-          queue.push({best[o], o, c});
+          queue.push({best[o], o, c, reluctance_o});
         }
       }
     }
@@ -134,6 +143,9 @@ public:
   }
 
 private:
+  /// What it costs to cross a cluster's radius of cheapest seams, in units of |n - N|^2.
+  static constexpr double weight_of_reluctance = 0.3;
+
   static Vector_3 unit(const Vector_3& v)
   {
     const double length = std::sqrt(v.squared_length());
@@ -148,6 +160,18 @@ private:
     const double squared_radius =
         area / (std::numbers::pi * static_cast<double>(std::max<std::size_t>(size(), 1)));
     distance_weight_ = squared_radius > 0 ? compactness_ / squared_radius : 0;
+    reluctance_weight_ = squared_radius > 0 ? weight_of_reluctance / std::sqrt(squared_radius) : 0;
+  }
+
+  /// What it costs a cluster to go on over a link: nothing where seams are dear, more where they are cheap,
+  /// so that clusters meet there.
+  double reluctance(Index e, const Element_graph::Link& link) const
+  {
+    const double usual = mean_cost_ * link.length;
+    return link.cost < usual
+               ? reluctance_weight_ * (1 - link.cost / usual) *
+                     std::sqrt((graph_->centroid(e) - graph_->centroid(link.element)).squared_length())
+               : 0;
   }
 
   /// The mean of |n - N|^2 over the element, plus its distance to the cluster's centre.
@@ -160,7 +184,8 @@ private:
 
   const Element_graph* graph_;
   double compactness_;
-  double distance_weight_ = 0;
+  double distance_weight_ = 0, reluctance_weight_ = 0;
+  double mean_cost_ = 1;       ///< of seams, per length
   std::vector<Index> cluster_; ///< per element
   std::vector<Index> seed_;    ///< per cluster: an element
   std::vector<Vector_3> normal_, center_;

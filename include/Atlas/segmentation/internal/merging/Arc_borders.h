@@ -42,6 +42,7 @@ public:
         first_halfedge_[r] = g;
       }
     }
+    plain_length_ = length_;
     for (Index a = 0; a < length_.size(); ++a)
       length_[a] *= weight[a];
   }
@@ -55,6 +56,8 @@ public:
   Index owner(Index s) const { return owner_[s]; }
   /// Weighted.
   double length(Index arc) const { return length_[arc]; }
+  /// Not weighted.
+  double plain_length(Index arc) const { return plain_length_[arc]; }
   double length_of(const std::vector<Index>& run) const
   {
     double sum = 0;
@@ -158,7 +161,7 @@ private:
 
   const Coarse_surface& surface_;
   std::vector<std::uint8_t> must_be_seam_, is_glued_; ///< per arc
-  std::vector<double> length_;                        ///< per arc
+  std::vector<double> length_, plain_length_;         ///< per arc, weighted and not
   std::vector<Index> next_, previous_;                ///< per side: along the border of its chart
   std::vector<Index> owner_;                          ///< per side
   std::vector<Index> first_halfedge_;                 ///< per side

@@ -37,7 +37,7 @@ inline std::vector<Mergeable_chart> mergeable_charts(const Coarse_surface& surfa
     if (borders.owner(s) != no_index) {
       Mergeable_chart& chart = charts[borders.owner(s)];
       chart.side = std::min(chart.side, s);
-      chart.perimeter += borders.length(s / 2);
+      chart.perimeter += borders.plain_length(s / 2);
     }
   return charts;
 }
@@ -261,7 +261,10 @@ private:
     const Index chart = std::min(c.chart, c.other);
     merged.triangles = c.layout.source;
     merged.area = charts_[c.chart].area;
-    merged.perimeter = charts_[c.chart].perimeter - 2 * borders_.length_of(c.run);
+    double glued = 0;
+    for (const Index s : c.run)
+      glued += borders_.plain_length(s / 2);
+    merged.perimeter = charts_[c.chart].perimeter - 2 * glued;
     merged.version = charts_[chart].version + 1;
     if (!c.is_slit()) {
       merged.area += charts_[c.other].area;

@@ -30,11 +30,11 @@ using Trial_flattening = std::function<Chart_status(Chart&)>;
 struct Mergeable_chart
 {
   std::vector<Index> triangles;
-  Chart layout; ///< flat; empty if that failed
-  double area = 0, perimeter = 0;
-  double solidity = 0;   ///< of the layout
-  Index side = no_index; ///< one of its border
-  Index version = 0;     ///< another one after each merge
+  Chart layout;                   ///< flat; empty if that failed
+  double area = 0, perimeter = 0; ///< not weighted: where seams are dear, charts merge first
+  double solidity = 0;            ///< of the layout
+  Index side = no_index;          ///< one of its border
+  Index version = 0;              ///< another one after each merge
 };
 
 /// \brief Two charts that may be glued along a run of arcs, or a chart and a slit in it that may be closed.
