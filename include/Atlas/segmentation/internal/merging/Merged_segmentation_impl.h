@@ -13,6 +13,7 @@
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
 #include <Atlas/segmentation/internal/smoothing/Seam_band.h>
 #include <Atlas/segmentation/internal/smoothing/Segmentation_smoother.h>
+#include <Atlas/segmentation/internal/surface/favor_creases.h>
 #include <Atlas/segmentation/merge_charts.h>
 #include <Atlas/segmentation/smooth_borders.h>
 
@@ -103,9 +104,11 @@ ATLAS_INLINE Merged_segmentation::Merged_segmentation(Any_segmentation base, Any
   internal::require_valid(options);
 }
 
-ATLAS_INLINE Segmentation Merged_segmentation::segment(const Surface& surface,
-                                                       const Execution& execution) const
+ATLAS_INLINE Segmentation Merged_segmentation::segment(const Surface& input, const Execution& execution) const
 {
+  Surface surface = input;
+  if (surface.seam_cost.empty()) // who gives costs knows where seams are wanted
+    internal::favor_creases(surface);
   Segmentation segmentation = base_.segment(surface, execution);
   if (execution.is_cancelled())
     return segmentation;
