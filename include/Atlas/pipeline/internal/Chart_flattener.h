@@ -12,6 +12,7 @@
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_slitter.h>
 #include <Atlas/pipeline/internal/close_cuts.h>
+#include <Atlas/pipeline/internal/tiny_charts.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/rejoining/Fragment_merger.h>
@@ -237,15 +238,15 @@ private:
   void rejoin()
   {
     std::vector<Index> pieces;
-    for (Index c = 0; c < is_piece_.size(); ++c)
-      if (is_piece_[c])
+    for (Index c = 0; c < charts_.size(); ++c)
+      if ((c < is_piece_.size() && is_piece_[c]) || is_tiny(charts_[c]))
         pieces.push_back(c);
     if (pieces.empty() || execution_.is_cancelled())
       return;
     const auto accept = [&](const Flattened_chart& joined, const Flattened_chart& a,
                             const Flattened_chart& b) {
       return (joined.verdict.is_valid() || are_all_beyond_bound(joined, a, b)) &&
-             is_no_worse(joined.chart, a.chart, b.chart);
+             (is_no_worse(joined.chart, a.chart, b.chart) || (is_tiny(a) && !is_unrolled(b)));
     };
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
     rejoined_pieces_ =
