@@ -60,6 +60,79 @@ TEST(BuildSurface, EdgesWithThreeTrianglesAndWrongOrientationStayOpen)
   EXPECT_EQ(border_halfedges(surface_of(twisted)), 6u);
 }
 
+/// How many triangles each part of the surface has, ascending.
+std::vector<std::size_t> part_sizes(const Surface& s)
+{
+  std::vector<std::size_t> sizes;
+  std::vector<bool> seen(s.number_of_triangles());
+  for (Index seed = 0; seed < seen.size(); ++seed) {
+    std::vector<Index> part;
+    if (!seen[seed])
+      part.push_back(seed);
+    seen[seed] = true;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (Index h = 3 * part[i]; h < 3 * part[i] + 3; ++h)
+        if (const Index o = s.opposite[h]; o != no_index && !seen[o / 3]) {
+          seen[o / 3] = true;
+          part.push_back(o / 3);
+        }
+    if (!part.empty())
+      sizes.push_back(part.size());
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+/// The soup with some faces twice: turned around or not.
+Soup doubled(const Soup& soup, bool is_turned, std::size_t every = 1)
+{
+  Soup result = soup;
+  for (std::size_t f = 0; f < soup.polygons.size(); f += every) {
+    auto face = soup.polygons[f];
+    if (is_turned)
+      std::reverse(face.begin(), face.end());
+    result.polygons.push_back(face);
+  }
+  return result;
+}
+
+TEST(BuildSurface, TwoSidedModelsHaveASheetForEachSide)
+{
+  std::mt19937 random(3);
+  for (const bool is_turned : {true, false})
+    for (const Soup& soup : {sphere(2), cube(), planar_grid(5, 4)}) {
+      const std::size_t n = surface_of(soup).number_of_triangles();
+      const Index open = border_halfedges(surface_of(soup));
+      Soup two = doubled(soup, is_turned);
+      for (int round = 0; round < 3; ++round) {
+        EXPECT_EQ(part_sizes(surface_of(two)), (std::vector<std::size_t>{n, n}));
+        EXPECT_EQ(border_halfedges(surface_of(two)), 2 * open);
+        std::shuffle(two.polygons.begin(), two.polygons.end(), random);
+      }
+      for (auto& face : two.polygons) // vertices may be split, too
+        for (Index& v : face) {
+          two.points.push_back(two.points[v]);
+          v = static_cast<Index>(two.points.size() - 1);
+        }
+      EXPECT_EQ(part_sizes(surface_of(two)), (std::vector<std::size_t>{n, n}));
+    }
+}
+
+TEST(BuildSurface, SomeFacesThatAreThereTwiceDoNotTearTheOthers)
+{
+  const std::size_t n = sphere(2).polygons.size();
+  for (const bool is_turned : {true, false}) {
+    const Surface s = surface_of(doubled(sphere(2), is_turned, 10));
+    EXPECT_EQ(part_sizes(s).back(), n);
+    EXPECT_EQ(s.number_of_triangles(), n + (n + 9) / 10);
+    for (Index h = 0; h < s.opposite.size(); ++h)
+      if (const Index o = s.opposite[h]; o != no_index) {
+        EXPECT_EQ(s.opposite[o], h);
+        EXPECT_EQ(s.point(h), s.point(next_halfedge(o)));
+      }
+  }
+}
+
 TEST(BuildSurface, ListsFacesThatCannotTakePart)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -17,9 +17,9 @@ namespace Atlas {
 /// \param first   per polygon, the place in `vertices` where its corners start; one more entry closes it
 /// \param vertices  the vertices of all corners, polygon by polygon
 ///
-/// Any soup will do: faces that cannot take part are listed in `rejected`. Triangles are adjacent where
-/// exactly two of them run along an edge in opposite directions, by vertex number, else (open meshes whose
-/// seams were split) by equal position. O(n log n).
+/// Any soup will do: faces that cannot take part are listed in `rejected`. Triangles are adjacent where just
+/// two run along an edge in opposite directions, by vertex number, else (open meshes with split seams) by
+/// position. Sides of two-sided models, and copies of faces, are sheets of their own. O(n log n).
 ///
 /// \throws Invalid_argument if `first` decreases or leads past the end of `vertices`
 Surface build_surface(std::vector<Point_3> points, const std::vector<std::size_t>& first,

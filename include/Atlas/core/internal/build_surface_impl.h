@@ -6,6 +6,7 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/equal_points.h>
 #include <Atlas/core/internal/halfedges.h>
+#include <Atlas/core/internal/pair_doubled_faces.h>
 #include <Atlas/core/internal/triangulate_polygon.h>
 
 #include <algorithm>
@@ -128,6 +129,7 @@ ATLAS_INLINE Surface build_surface(std::vector<Point_3> points, const std::vecto
     const auto place = [&](Index h) { return merged[vertex(h)]; };
     internal::pair_halfedges(
         open, place, [&](Index h) { return place(next_halfedge(h)); }, surface.opposite);
+    internal::Doubled_faces(surface).pair();
   }
   return surface;
 }
