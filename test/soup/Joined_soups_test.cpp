@@ -18,6 +18,7 @@ Polygon_soup rich()
   soup.first = {0, 3, 6};
   soup.vertices = {0, 1, 2, 0, 2, 3};
   soup.colors.assign(4, {0.5f, 0.25f, 0, 1});
+  soup.face_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
   soup.uv = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
   soup.normals = {{0, 0, 1}, {0, 0, -1}};
   soup.corner_normal = {0, 0, 1, no_index, 1, 1};
@@ -52,6 +53,7 @@ void expect_equal(const Polygon_soup& a, const Polygon_soup& b)
   EXPECT_EQ(a.first, b.first);
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.colors, b.colors);
+  EXPECT_EQ(a.face_colors, b.face_colors);
   EXPECT_EQ(a.normals, b.normals);
   EXPECT_EQ(a.corner_normal, b.corner_normal);
   EXPECT_EQ(a.group_names, b.group_names);

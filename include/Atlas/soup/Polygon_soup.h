@@ -25,7 +25,9 @@ struct Polygon_soup
       0};                      ///< per face: where its corners start in `vertices`; one more entry closes
   std::vector<Index> vertices; ///< per corner: its vertex
 
-  std::vector<std::array<float, 4>> colors; ///< per vertex: red, green, blue, alpha in [0, 1]; or empty
+  std::vector<std::array<float, 4>> colors;      ///< per vertex: red, green, blue, alpha in [0, 1], as sRGB
+                                                 ///< like pictures; or empty
+  std::vector<std::array<float, 4>> face_colors; ///< per face, as `colors`; or empty
   std::vector<Point_2> uv; ///< per corner: existing coordinates, origin bottom left, NaN where none; or empty
   std::vector<Index> face_page;     ///< per face: the page that its coordinates are on; empty: all on page 0
   std::vector<Point_2> old_uv;      ///< per corner: coordinates that `uv` has replaced, as `uv`; or empty
@@ -38,6 +40,8 @@ struct Polygon_soup
   std::vector<std::string> page_textures;      ///< per page: the picture that a PLY file names for it
   std::vector<std::string> group_names;
   std::vector<Index> face_group; ///< per face: its group or object, or `no_index`; or empty
+
+  std::vector<std::string> warnings; ///< what the reader passed over or took otherwise than it is written
 
   std::size_t number_of_faces() const { return first.size() - 1; }
   std::size_t number_of_corners() const { return vertices.size(); }

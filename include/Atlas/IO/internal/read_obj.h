@@ -5,11 +5,17 @@
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -45,6 +51,8 @@ public:
     while (scanner_.next_line())
       if (!scanner_.at_end())
         read_statement(scanner_.token());
+      else if (scanner_.line_text().starts_with("#MRGB"))
+        read_painted_colors(scanner_.line_text().substr(5));
     if (soup_.number_of_faces() == 0)
       throw IO_error(file_name_ + ": no face in the file (" + std::to_string(scanner_.line()) + " lines, " +
                      std::to_string(soup_.points.size()) + " vertices)");
@@ -98,6 +106,20 @@ private:
     if (n >= 3) {
       soup_.colors.resize(soup_.points.size() - 1, {1, 1, 1, 1});
       soup_.colors.push_back({extra[0], extra[1], extra[2], extra[3]});
+    }
+  }
+
+  /// ZBrush: #MRGB and 8 hexadecimal digits a vertex, mask, red, green, blue, in the order of the vertices.
+  void read_painted_colors(std::string_view digits)
+  {
+    digits.remove_prefix(std::min(digits.size(), digits.find_first_not_of(" \t")));
+    for (; digits.size() >= 8; digits.remove_prefix(8)) {
+      std::uint32_t value = 0;
+      const auto [end, error] = std::from_chars(digits.data(), digits.data() + 8, value, 16);
+      if (error != std::errc() || end != digits.data() + 8)
+        return;
+      const auto component = [&](int shift) { return static_cast<float>(value >> shift & 255) / 255; };
+      painted_.push_back({component(16), component(8), component(0), 1});
     }
   }
 
@@ -155,10 +177,26 @@ private:
     soup_.face_group.push_back(group_);
   }
 
-  void finish()
+  /// Colours are in [0, 1], or, where one is larger than 1, in [0, 255].
+  void finish_colors()
   {
+    if (soup_.colors.empty()) {
+      soup_.colors = std::move(painted_);
+    } else {
+      float largest = 0;
+      for (const auto& [r, g, b, a] : soup_.colors)
+        largest = std::max({largest, r, g, b});
+      for (auto& color : soup_.colors)
+        for (std::size_t k = 0; k < 4 && largest > 1; ++k)
+          color[k] = k < 3 || color[k] > 1 ? color[k] / 255 : color[k];
+    }
     if (!soup_.colors.empty())
       soup_.colors.resize(soup_.points.size(), {1, 1, 1, 1});
+  }
+
+  void finish()
+  {
+    finish_colors();
     if (!corner_texture_.empty()) {
       corner_texture_.resize(soup_.vertices.size(), no_index);
       const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -184,6 +222,7 @@ private:
   Name_table materials_{soup_.material_names}, groups_{soup_.group_names};
   std::vector<Point_2> texture_vertices_;
   std::vector<Index> corner_texture_;
+  std::vector<std::array<float, 4>> painted_;
   Index material_ = no_index, group_ = no_index;
 };
 
@@ -195,8 +234,7 @@ private:
 /// line, if a statement cannot be understood, or if there is no face
 inline Polygon_soup read_obj(const std::filesystem::path& path)
 {
-  const std::string text = read_whole_file(path);
-  check_is_text(text, path.string());
+  const std::string text = read_text_file(path);
   return Obj_reader(text, path.string()).read();
 }
 

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace Atlas::internal {
 
@@ -38,15 +39,17 @@ private:
   {
     if (!scanner_.next_filled_line())
       scanner_.fail("no header");
-    const std::string_view word = scanner_.token();
-    if (word.size() < 3 || word.substr(word.size() - 3) != "OFF")
+    const std::string_view word = scanner_.peek(), kind = word.substr(0, word.find("OFF"));
+    if (kind.size() == word.size() || kind.size() > 4)
       scanner_.fail("an OFF file begins with the word OFF, this one with " + quoted(word));
-    const std::string_view prefix = word.substr(0, word.size() - 3);
-    if (prefix.find_first_not_of("STCN") != std::string_view::npos)
+    if (kind.find_first_not_of("STCN") != std::string_view::npos || word.substr(kind.size() + 3) == "BINARY")
       scanner_.fail("OFF files of kind " + quoted(word) + " are not supported");
-    has_texture_ = prefix.find("ST") != std::string_view::npos;
-    has_colors_ = prefix.find('C') != std::string_view::npos;
-    has_normals_ = prefix.find('N') != std::string_view::npos;
+    has_texture_ = kind.find("ST") != std::string_view::npos;
+    has_colors_ = kind.find('C') != std::string_view::npos;
+    has_normals_ = kind.find('N') != std::string_view::npos;
+    scanner_.skip(kind.size() + 3); // the first count may follow without a blank
+    if (scanner_.peek() == "BINARY")
+      scanner_.fail("binary OFF files are not supported");
     if (scanner_.at_end() && !scanner_.next_filled_line())
       scanner_.fail("the counts are missing");
     vertices_ = count("number of vertices");
@@ -89,15 +92,26 @@ private:
 
   void read_color()
   {
-    std::array<float, 4> color{1, 1, 1, 1};
-    int n = 0;
-    for (; n < 4 && !(n == 3 && scanner_.at_end()); ++n) {
+    std::array<float, 4> color{1, 1, 1, opaque};
+    for (std::size_t n = 0; n < 4 && !(n == 3 && scanner_.at_end()); ++n) {
       color[n] = static_cast<float>(scanner_.number("colour"));
       largest_ = std::max(largest_, color[n]);
     }
-    if (n == 3)
-      color[3] = -1; // opaque, whatever the range of the others
     soup_.colors.push_back(color);
+  }
+
+  /// Three or four numbers behind the corners are a colour; one is the place in a table that is not there.
+  void read_face_color()
+  {
+    std::array<float, 4> color{1, 1, 1, opaque};
+    std::size_t n = 0;
+    for (double x = 0; n < 4 && scanner_.number_here(x); ++n)
+      color[n] = static_cast<float>(x);
+    if (n < 3)
+      return;
+    largest_of_faces_ = std::max({largest_of_faces_, color[0], color[1], color[2], color[3]});
+    soup_.face_colors.resize(soup_.number_of_faces() - 1, {1, 1, 1, unset});
+    soup_.face_colors.push_back(color);
   }
 
   void read_face(std::size_t f)
@@ -110,16 +124,27 @@ private:
       soup_.vertices.push_back(v < 0 || v >= no_index ? no_index : static_cast<Index>(v));
     }
     soup_.close_face();
+    read_face_color();
+  }
+
+  /// Colours are in [0, 1], or, where one is larger than 1, in [0, 255].
+  static void finish_colors(std::vector<std::array<float, 4>>& colors, float largest)
+  {
+    for (auto& color : colors) {
+      if (color[3] == unset)
+        color = {1, 1, 1, 1};
+      else
+        for (std::size_t k = 0; k < 4; ++k)
+          color[k] = color[k] == opaque ? 1 : largest > 1 ? color[k] / 255 : color[k];
+    }
   }
 
   void finish()
   {
-    for (auto& color : soup_.colors) {
-      if (color[3] < 0)
-        color[3] = largest_ > 1 ? 255.f : 1.f;
-      for (float& c : color)
-        c = largest_ > 1 ? c / 255 : c;
-    }
+    finish_colors(soup_.colors, largest_);
+    if (!soup_.face_colors.empty())
+      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, unset});
+    finish_colors(soup_.face_colors, largest_of_faces_);
     const auto exists = [&](Index v) { return v < vertices_; };
     if (has_texture_)
       for (const Index v : soup_.vertices)
@@ -132,18 +157,19 @@ private:
   Text_scanner scanner_;
   std::size_t text_size_, vertices_ = 0, faces_ = 0;
   bool has_texture_ = false, has_colors_ = false, has_normals_ = false;
-  float largest_ = 0;
+  static constexpr float opaque = -1, unset = -2; ///< alphas that the file does not tell
+  float largest_ = 0, largest_of_faces_ = 0;
   std::vector<Point_2> texture_;
   Polygon_soup soup_;
 };
 
 /// Reads an OFF file: `OFF`, and with normals, colours or texture coordinates at the vertices `NOFF`,
-/// `COFF`, `STOFF` and their combinations. Colours of faces are skipped.
+/// `COFF`, `STOFF` and their combinations; colours of faces. The first count may follow the word without a
+/// blank.
 /// \throw IO_error naming the line
 inline Polygon_soup read_off(const std::filesystem::path& path)
 {
-  const std::string text = read_whole_file(path);
-  check_is_text(text, path.string());
+  const std::string text = read_text_file(path);
   return Off_reader(text, path.string()).read();
 }
 

@@ -2,17 +2,17 @@
 #ifndef ATLAS_IO_INTERNAL_READ_PLY_H
 #define ATLAS_IO_INTERNAL_READ_PLY_H
 
-#include <Atlas/image/internal/Binary_scanner.h>
+#include <Atlas/IO/internal/Ply_rows.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,116 +23,21 @@
 
 namespace Atlas::internal {
 
-enum class Ply_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct Ply_property
-{
-  std::string name;
-  Ply_type type{};
-  std::optional<Ply_type> count_type; ///< of a list
-};
-
-struct Ply_element
-{
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Ply_property> properties;
-
-  /// The place of the first property with one of the names, or -1.
-  int find(std::initializer_list<std::string_view> names) const
-  {
-    for (std::size_t i = 0; i < properties.size(); ++i)
-      for (const std::string_view name_wanted : names)
-        if (properties[i].name == name_wanted)
-          return static_cast<int>(i);
-    return -1;
-  }
-};
-
-/// The rows of a text or binary PLY file as numbers.
-class Ply_rows
-{
-public:
-  Ply_rows(std::string_view bytes, std::string file_name, Text_scanner& text,
-           std::optional<std::endian> order)
-      : text_(text), is_text_(!order),
-        binary_(bytes, std::move(file_name), order.value_or(std::endian::little),
-                bytes.size() - text.rest().size())
-  {}
-
-  /// Starts row `i` of the element; fails if there is none.
-  void start_row(const Ply_element& element, std::size_t i)
-  {
-    if (is_text_ && !text_.next_filled_line())
-      text_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(element.count) +
-                 " rows of '" + element.name + "'");
-  }
-
-  double value(Ply_type type, const std::string& what)
-  {
-    if (is_text_)
-      return text_.number(what.c_str());
-    switch (type) {
-    case Ply_type::int8:
-      return binary_.get<std::int8_t>(what.c_str());
-    case Ply_type::uint8:
-      return binary_.get<std::uint8_t>(what.c_str());
-    case Ply_type::int16:
-      return binary_.get<std::int16_t>(what.c_str());
-    case Ply_type::uint16:
-      return binary_.get<std::uint16_t>(what.c_str());
-    case Ply_type::int32:
-      return binary_.get<std::int32_t>(what.c_str());
-    case Ply_type::uint32:
-      return binary_.get<std::uint32_t>(what.c_str());
-    case Ply_type::float32:
-      return static_cast<double>(binary_.get<float>(what.c_str()));
-    case Ply_type::float64:
-      return binary_.get<double>(what.c_str());
-    }
-    return 0;
-  }
-
-  /// The values of a property, one if it is not a list.
-  void values(const Ply_property& property, std::vector<double>& result)
-  {
-    result.clear();
-    double n = 1;
-    if (property.count_type) {
-      n = value(*property.count_type, property.name);
-      if (!(n >= 0) || n != std::floor(n))
-        fail("the length of list '" + property.name + "' is not a count");
-      if (!is_text_ && n > static_cast<double>(binary_.bytes_left()))
-        fail("list '" + property.name + "' is longer than the file");
-    }
-    for (double i = 0; i < n; ++i)
-      result.push_back(value(property.type, property.name));
-  }
-
-  [[noreturn]] void fail(const std::string& message) const
-  {
-    if (is_text_)
-      text_.fail(message);
-    binary_.fail(message);
-  }
-
-private:
-  Text_scanner& text_;
-  bool is_text_;
-  Binary_scanner binary_;
-};
-
 class Ply_reader
 {
 public:
-  Ply_reader(std::string_view bytes, const std::string& file_name)
-      : bytes_(bytes), file_name_(file_name), text_(bytes, file_name, Text_scanner::plain)
+  Ply_reader(std::string_view bytes, const std::string& file_name, Ply_row_ends ends)
+      : bytes_(bytes), file_name_(file_name), text_(bytes, file_name, Text_scanner::plain), ends_(ends)
   {}
+
+  /// Whether the header has been understood, and text follows.
+  bool has_text_rows() const { return has_header_ && !order_; }
 
   Polygon_soup read()
   {
     read_header();
-    Ply_rows rows(bytes_, file_name_, text_, order_);
+    has_header_ = true;
+    Ply_rows rows(bytes_, file_name_, text_, order_, ends_);
     for (const Ply_element& element : elements_) {
       if (element.properties.empty())
         continue;
@@ -140,12 +45,15 @@ public:
         read_vertices(element, rows);
       else if (element.name == "face")
         read_faces(element, rows);
+      else if (element.name == "tristrips")
+        read_strips(element, rows);
       else if (element.name == "halfedge")
         read_halfedges(element, rows);
       else
         for (std::size_t i = 0; i < element.count; ++i)
           read_row(element, i, rows);
     }
+    rows.check_end();
     if (soup_.number_of_faces() == 0)
       throw IO_error(file_name_ + ": no face in the file");
     finish();
@@ -180,7 +88,8 @@ private:
         if (text_.token() == "TextureFile")
           soup_.page_textures.emplace_back(text_.remainder());
       } else if (word != "obj_info" && !word.empty()) {
-        text_.fail("unknown word in the header: " + quoted(word));
+        soup_.warnings.push_back("line " + std::to_string(text_.line()) +
+                                 " of the header is taken for a comment: it begins with " + quoted(word));
       }
     }
     if (!has_format)
@@ -215,17 +124,10 @@ private:
 
   Ply_type type(std::string_view word) const
   {
-    static constexpr std::pair<std::string_view, Ply_type> types[] = {
-        {"char", Ply_type::int8},      {"int8", Ply_type::int8},       {"uchar", Ply_type::uint8},
-        {"uint8", Ply_type::uint8},    {"short", Ply_type::int16},     {"int16", Ply_type::int16},
-        {"ushort", Ply_type::uint16},  {"uint16", Ply_type::uint16},   {"int", Ply_type::int32},
-        {"int32", Ply_type::int32},    {"uint", Ply_type::uint32},     {"uint32", Ply_type::uint32},
-        {"float", Ply_type::float32},  {"float32", Ply_type::float32}, {"double", Ply_type::float64},
-        {"float64", Ply_type::float64}};
-    for (const auto& [name, value] : types)
-      if (name == word)
-        return value;
-    text_.fail("unknown type " + quoted(word));
+    const std::optional<Ply_type> result = ply_type(word);
+    if (!result)
+      text_.fail("unknown type " + quoted(word));
+    return *result;
   }
 
   /// Reads a row into `row_`, one list of values per property.
@@ -243,10 +145,44 @@ private:
     return property < 0 || row_[property].empty() ? 0 : row_[property].front();
   }
 
-  static double color_range(const Ply_element& element, int property)
+  /// The places of red, green, blue and alpha in the rows of an element; the last may be -1.
+  struct Color_columns
   {
-    const Ply_type t = element.properties[property].type;
-    return t == Ply_type::uint8 || t == Ply_type::int8 ? 255 : t == Ply_type::uint16 ? 65535 : 1;
+    std::array<int, 4> at{-1, -1, -1, -1};
+    double range = 1; ///< the value of full colour; that of floats is 1 or 255, which only the values tell
+    bool is_complete() const { return at[0] >= 0 && at[1] >= 0 && at[2] >= 0; }
+  };
+
+  static Color_columns color_columns(const Ply_element& element)
+  {
+    Color_columns result;
+    result.at = {element.find({"red", "r", "diffuse_red"}), element.find({"green", "g", "diffuse_green"}),
+                 element.find({"blue", "b", "diffuse_blue"}), element.find({"alpha", "a", "diffuse_alpha"})};
+    if (!result.is_complete())
+      return result;
+    const Ply_type t = element.properties[static_cast<std::size_t>(result.at[0])].type;
+    result.range = t == Ply_type::float32 || t == Ply_type::float64 ? 1 : t == Ply_type::uint16 ? 65535 : 255;
+    return result;
+  }
+
+  void add_color(const Color_columns& columns, std::vector<std::array<float, 4>>& colors) const
+  {
+    std::array<float, 4> color{1, 1, 1, 1};
+    for (std::size_t k = 0; k < 4; ++k)
+      if (columns.at[k] >= 0)
+        color[k] = static_cast<float>(at(columns.at[k]) / columns.range);
+    colors.push_back(color);
+  }
+
+  /// Floats beyond 1 are in [0, 255].
+  static void scale_colors(std::vector<std::array<float, 4>>& colors)
+  {
+    float largest = 0;
+    for (const auto& [r, g, b, a] : colors)
+      largest = std::max({largest, r, g, b});
+    for (auto& color : colors)
+      for (std::size_t k = 0; k < 4 && largest > 1; ++k)
+        color[k] = k < 3 || color[k] > 1 ? color[k] / 255 : color[k];
   }
 
   void read_vertices(const Ply_element& element, Ply_rows& rows)
@@ -255,44 +191,91 @@ private:
     if (x < 0 || y < 0)
       throw IO_error(file_name_ + ": the vertices have no positions x, y, z");
     const int nx = element.find({"nx"}), ny = element.find({"ny"}), nz = element.find({"nz"});
-    const int r = element.find({"red", "r", "diffuse_red"}),
-              g = element.find({"green", "g", "diffuse_green"}),
-              b = element.find({"blue", "b", "diffuse_blue"}),
-              a = element.find({"alpha", "a", "diffuse_alpha"});
     const int u = element.find({"texture_u", "texture_s", "u", "s"}),
               v = element.find({"texture_v", "texture_t", "v", "t"});
-    const bool has_color = r >= 0 && g >= 0 && b >= 0;
-    const double range = has_color ? color_range(element, r) : 1;
+    const Color_columns color = color_columns(element);
     soup_.points.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       read_row(element, i, rows);
       soup_.points.emplace_back(at(x), at(y), at(z));
       if (nx >= 0 && ny >= 0 && nz >= 0)
         soup_.normals.emplace_back(at(nx), at(ny), at(nz));
-      if (has_color)
-        soup_.colors.push_back({static_cast<float>(at(r) / range), static_cast<float>(at(g) / range),
-                                static_cast<float>(at(b) / range),
-                                a < 0 ? 1.f : static_cast<float>(at(a) / range)});
+      if (color.is_complete())
+        add_color(color, soup_.colors);
       if (u >= 0 && v >= 0)
         vertex_uv_.emplace_back(at(u), at(v));
     }
   }
 
+  static Index vertex(double v, const Ply_rows& rows)
+  {
+    if (v != std::floor(v))
+      rows.fail("a vertex index is not an integer");
+    return v >= 0 && v < no_index ? static_cast<Index>(v) : no_index;
+  }
+
+  /// The list of vertices: by its usual names, else the only list of integers.
+  int indices_of(const Ply_element& element) const
+  {
+    const auto is_list = [&](int i) {
+      const Ply_property& property = element.properties[static_cast<std::size_t>(i)];
+      return property.count_type && property.type != Ply_type::float32 && property.type != Ply_type::float64;
+    };
+    int found =
+        element.find({"vertex_indices", "vertex_index", "vertex_indexes", "vertex_indicies", "indices"});
+    for (int i = 0, lists = 0; found < 0 && i < static_cast<int>(element.properties.size()); ++i)
+      if (is_list(i))
+        found = lists++ == 0 ? i : -1;
+    if (found < 0 || !is_list(found))
+      throw IO_error(file_name_ + ": the rows of '" + element.name + "' have no list vertex_indices");
+    return found;
+  }
+
+  /// Strips of triangles, of which every second one is turned; -1 ends a strip. Triangles that name a vertex
+  /// twice only lead from one place to another.
+  void read_strips(const Ply_element& element, Ply_rows& rows)
+  {
+    const int indices = indices_of(element);
+    for (std::size_t i = 0; i < element.count; ++i) {
+      read_row(element, i, rows);
+      std::vector<Index> strip;
+      for (const double v : row_[indices]) {
+        strip.push_back(vertex(v, rows));
+        if (v == -1)
+          strip.clear();
+        if (strip.size() >= 3)
+          add_triangle_of_strip(strip);
+      }
+    }
+  }
+
+  void add_triangle_of_strip(const std::vector<Index>& strip)
+  {
+    const std::size_t n = strip.size();
+    std::array<Index, 3> triangle{strip[n - 3], strip[n - 2], strip[n - 1]};
+    if (n % 2 == 0)
+      std::swap(triangle[0], triangle[1]);
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      return;
+    soup_.vertices.insert(soup_.vertices.end(), triangle.begin(), triangle.end());
+    soup_.close_face();
+  }
+
   void read_faces(const Ply_element& element, Ply_rows& rows)
   {
-    const int indices = element.find({"vertex_indices", "vertex_index"}), wedge = element.find({"texcoord"}),
+    const int indices = indices_of(element), wedge = element.find({"texcoord"}),
               page = element.find({"texnumber"});
-    if (indices < 0 || !element.properties[indices].count_type)
-      throw IO_error(file_name_ + ": the faces have no list vertex_indices");
+    const Color_columns color = color_columns(element);
+    if (wedge >= 0)
+      soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN)); // those of strips before
     soup_.first.reserve(element.count + 1);
     for (std::size_t i = 0; i < element.count; ++i) {
       read_row(element, i, rows);
-      for (const double v : row_[indices]) {
-        if (v != std::floor(v))
-          rows.fail("a vertex index is not an integer");
-        soup_.vertices.push_back(v >= 0 && v < no_index ? static_cast<Index>(v) : no_index);
-      }
+      for (const double v : row_[indices])
+        soup_.vertices.push_back(vertex(v, rows));
       soup_.close_face();
+      if (color.is_complete())
+        add_color(color, soup_.face_colors);
       if (wedge >= 0)
         add_wedge_uv(row_[indices].size(), row_[wedge]);
       if (page >= 0)
@@ -334,6 +317,15 @@ private:
   void finish()
   {
     const auto exists = [&](Index v) { return v < soup_.points.size(); };
+    scale_colors(soup_.colors);
+    scale_colors(soup_.face_colors);
+    // Strips have none of these.
+    if (!soup_.face_colors.empty())
+      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, 1});
+    if (!soup_.face_page.empty())
+      soup_.face_page.resize(soup_.number_of_faces(), 0);
+    if (!soup_.uv.empty())
+      soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN));
     if (!soup_.face_page.empty() && soup_.number_of_pages() == 1)
       soup_.face_page.clear();
     if (!soup_.normals.empty())
@@ -359,6 +351,8 @@ private:
   std::string_view bytes_;
   std::string file_name_;
   Text_scanner text_;
+  Ply_row_ends ends_;
+  bool has_header_ = false;
   std::optional<std::endian> order_;
   std::vector<Ply_element> elements_;
   std::vector<std::vector<double>> row_;
@@ -367,14 +361,31 @@ private:
   Polygon_soup soup_;
 };
 
-/// Reads a PLY file: text or binary of either byte order, with positions, normals, colours, and
-/// texture coordinates in any of three dialects (at the vertices, at the wedges of faces as MeshLab writes
-/// them, at the halfedges as CGAL does); MeshLab's numbers of textures are pages. Values at the end of a text
-/// row that the header does not declare are skipped. \throw IO_error naming the line or byte
+/// Reads a PLY file: text or binary of either byte order, with positions, normals, colours of vertices and
+/// faces, triangle strips, and texture coordinates in any of three dialects (at the vertices, at the wedges
+/// of faces as MeshLab writes them, at the halfedges as CGAL does); MeshLab's numbers of textures are pages.
+///
+/// Values at the end of a text row that the header does not declare are skipped. Where the rows of a text
+/// file have no lines of their own, line ends are blanks. \throw IO_error naming the line or byte
 inline Polygon_soup read_ply(const std::filesystem::path& path)
 {
-  const std::string bytes = read_whole_file(path);
-  return Ply_reader(bytes, path.string()).read();
+  const std::string name = path.string();
+  std::string bytes = read_whole_file(path);
+  if (std::string_view(bytes).substr(0, bytes.find("end_header")).find("format binary") == std::string::npos)
+    bytes = decoded_text(std::move(bytes), name);
+  Ply_reader by_lines(bytes, name, Ply_row_ends::lines);
+  try {
+    return by_lines.read();
+  } catch (const IO_error&) {
+    if (!by_lines.has_text_rows())
+      throw;
+    try {
+      return Ply_reader(bytes, name, Ply_row_ends::anywhere).read();
+    } catch (const IO_error&) {
+      // The first reason is the better one.
+    }
+    throw;
+  }
 }
 
 } // namespace Atlas::internal

@@ -7,12 +7,16 @@
 #include <Atlas/soup/Polygon_soup.h>
 #include <Atlas/soup/internal/index_uv.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace Atlas::internal {
 
@@ -37,74 +41,175 @@ private:
   Row_table<3> table_;
 };
 
-inline Polygon_soup read_binary_stl(std::string_view bytes, const std::string& file_name)
+/// How binary STL tells the colour of a facet in its last two bytes; the file says so in its header, or not.
+inline std::array<float, 4> stl_color(unsigned attribute, bool is_magics, const std::array<float, 4>& common)
 {
-  Polygon_soup soup;
-  Vertex_table table(soup, bytes.size() / 100);
-  Binary_scanner scanner(bytes, file_name, std::endian::little);
-  scanner.skip(80, "the header");
-  const auto n = scanner.get<std::uint32_t>("the number of triangles");
-  for (std::uint32_t t = 0; t < n; ++t) {
-    scanner.skip(12, "a normal");
-    for (int i = 0; i < 3; ++i) {
-      const float x = scanner.get<float>("a vertex"), y = scanner.get<float>("a vertex");
-      table.add_corner(x, y, scanner.get<float>("a vertex"));
-    }
-    scanner.skip(2, "an attribute");
-    soup.close_face();
-  }
-  return soup;
+  const bool has_own = (attribute >> 15 != 0) != is_magics;
+  if (!has_own)
+    return common;
+  const auto part = [&](int shift) { return static_cast<float>(attribute >> shift & 31) / 31; };
+  return is_magics ? std::array<float, 4>{part(0), part(5), part(10), 1}
+                   : std::array<float, 4>{part(10), part(5), part(0), 1};
 }
 
-inline Polygon_soup read_ascii_stl(std::string_view text, const std::string& file_name)
+/// Binary STL. The number of triangles in it is often wrong (0, -1): where the file has a whole number of
+/// them, that counts.
+class Binary_stl_reader
 {
-  Polygon_soup soup;
-  Vertex_table table(soup, text.size() / 500);
-  Text_scanner scanner(text, file_name, Text_scanner::plain);
-  bool is_in_loop = false;
-  while (scanner.next_filled_line()) {
-    const std::string_view word = scanner.token();
-    if (word == "vertex") {
-      if (!is_in_loop)
-        scanner.fail("a vertex outside of a loop");
-      const double x = scanner.number("x"), y = scanner.number("y");
-      table.add_corner(x, y, scanner.number("z"));
-    } else if (word == "outer") {
-      is_in_loop = true;
+public:
+  Binary_stl_reader(std::string_view bytes, const std::string& file_name)
+      : bytes_(bytes), scanner_(bytes, file_name, std::endian::little), table_(soup_, bytes.size() / 100)
+  {}
+
+  Polygon_soup read()
+  {
+    scanner_.skip(80, "the header");
+    const std::uint64_t told = scanner_.get<std::uint32_t>("the number of triangles");
+    const std::uint64_t there = scanner_.bytes_left() / 50;
+    const bool is_whole = there > 0 && scanner_.bytes_left() % 50 == 0;
+    if (is_whole && there != told)
+      soup_.warnings.push_back("the header tells of " + std::to_string(told) + " triangles, but there are " +
+                               std::to_string(there));
+    read_common_color();
+    for (std::uint64_t t = is_whole ? there : told; t > 0; --t)
+      read_triangle();
+    if (!has_colors_)
+      soup_.face_colors.clear();
+    return std::move(soup_);
+  }
+
+private:
+  /// Materialise Magics: COLOR= and four bytes in the header.
+  void read_common_color()
+  {
+    const std::size_t at = bytes_.substr(0, 80).find("COLOR=");
+    is_magics_ = at != std::string_view::npos && at + 10 <= 80;
+    for (std::size_t k = 0; k < 4 && is_magics_; ++k)
+      common_[k] = static_cast<float>(static_cast<unsigned char>(bytes_[at + 6 + k])) / 255;
+    has_colors_ = is_magics_;
+  }
+
+  void read_triangle()
+  {
+    scanner_.skip(12, "a normal");
+    for (int i = 0; i < 3; ++i) {
+      const float x = scanner_.get<float>("a vertex"), y = scanner_.get<float>("a vertex");
+      table_.add_corner(x, y, scanner_.get<float>("a vertex"));
+    }
+    const unsigned attribute = scanner_.get<std::uint16_t>("an attribute");
+    has_colors_ = has_colors_ || attribute >> 15 != 0;
+    soup_.face_colors.push_back(stl_color(attribute, is_magics_, common_));
+    soup_.close_face();
+  }
+
+  std::string_view bytes_;
+  Binary_scanner scanner_;
+  Polygon_soup soup_;
+  Vertex_table table_;
+  std::array<float, 4> common_{1, 1, 1, 1};
+  bool is_magics_ = false, has_colors_ = false;
+};
+
+/// Text STL: keywords in any case, with line ends and blanks anywhere between words, "end loop" for
+/// "endloop".
+class Text_stl_reader
+{
+public:
+  Text_stl_reader(std::string_view text, const std::string& file_name)
+      : scanner_(text, file_name, Text_scanner::plain), table_(soup_, text.size() / 500)
+  {}
+
+  Polygon_soup read()
+  {
+    while (scanner_.next_filled_line())
+      while (!scanner_.at_end())
+        read_statement(lower_case(scanner_.token()));
+    if (is_in_loop_)
+      scanner_.fail("the file ends in the middle of a facet");
+    return std::move(soup_);
+  }
+
+private:
+  static std::string lower_case(std::string_view word)
+  {
+    std::string result(word);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+  }
+
+  void read_statement(std::string word)
+  {
+    if (word == "end")
+      word += lower_case(scanner_.token());
+    if (word == "solid" || word == "endsolid") {
+      scanner_.remainder(); // a name
+    } else if (word == "vertex") {
+      read_vertex();
+    } else if (word == "normal") { // not needed; some are no numbers
+      for (int k = 0; k < 3 && !scanner_.at_end(); ++k)
+        scanner_.token();
+    } else if (word == "loop") {
+      is_in_loop_ = true;
     } else if (word == "endloop") {
-      is_in_loop = false;
-      soup.close_face();
-    } else if (word != "solid" && word != "facet" && word != "endfacet" && word != "endsolid") {
-      scanner.fail("unknown statement " + quoted(word));
+      is_in_loop_ = false;
+      soup_.close_face();
+    } else if (word != "outer" && word != "facet" && word != "endfacet") {
+      scanner_.fail("unknown statement " + internal::quoted(word));
     }
   }
-  if (is_in_loop)
-    scanner.fail("the file ends in the middle of a facet");
-  return soup;
-}
+
+  void read_vertex()
+  {
+    if (!is_in_loop_)
+      scanner_.fail("a vertex outside of a loop");
+    const double x = scanner_.number("x"), y = scanner_.number("y");
+    table_.add_corner(x, y, scanner_.number("z"));
+  }
+
+  Text_scanner scanner_;
+  Polygon_soup soup_;
+  Vertex_table table_;
+  bool is_in_loop_ = false;
+};
 
 /// Whether the bytes are binary STL: the size tells, since headers of binary files may begin with "solid"
-/// too.
+/// too;
+/// else the word at the beginning, if no zero byte is near it.
 inline bool is_binary_stl(std::string_view bytes)
 {
   if (bytes.size() >= 84) {
     std::uint32_t n = 0;
-    for (int i = 3; i >= 0; --i)
+    for (std::size_t i = 4; i-- > 0;)
       n = n << 8 | static_cast<unsigned char>(bytes[80 + i]);
     if (bytes.size() == 84 + 50 * std::uint64_t(n))
       return true;
   }
-  const auto start = bytes.find_first_not_of(" \t\r\n");
-  return start == std::string_view::npos || bytes.substr(start, 5) != "solid" ||
-         bytes.substr(0, 1000).find('\0') != std::string_view::npos;
+  const std::string_view head = bytes.substr(0, 1000);
+  const auto start = std::min(head.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), head.size());
+  const auto begins_with = [&](std::string_view word) {
+    const std::string_view found = head.substr(start, word.size());
+    return std::equal(word.begin(), word.end(), found.begin(), found.end(),
+                      [](char a, char b) { return a == (b | 32); });
+  };
+  return !(begins_with("solid") || begins_with("facet")) || head.find('\0') != std::string_view::npos;
 }
 
-/// Reads an STL file, text or binary. Corners at exactly the same position become one vertex.
+/// Reads an STL file, text or binary. Corners at exactly the same position become one vertex; colours of the
+/// facets of binary files, as Magics and VisCAM write them, are those of faces.
 /// \throw IO_error naming the line or byte
 inline Polygon_soup read_stl(const std::filesystem::path& path)
 {
-  const std::string bytes = read_whole_file(path), name = path.string();
-  Polygon_soup soup = is_binary_stl(bytes) ? read_binary_stl(bytes, name) : read_ascii_stl(bytes, name);
+  const std::string name = path.string();
+  std::string bytes = read_whole_file(path);
+  const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+  Polygon_soup soup;
+  if (!has_mark && is_binary_stl(bytes)) {
+    soup = Binary_stl_reader(bytes, name).read();
+  } else {
+    bytes = decoded_text(std::move(bytes), name);
+    soup = Text_stl_reader(bytes, name).read();
+  }
   if (soup.number_of_faces() == 0)
     throw IO_error(name + ": no face in the file");
   return soup;

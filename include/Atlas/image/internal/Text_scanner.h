@@ -3,6 +3,7 @@
 #define ATLAS_IMAGE_INTERNAL_TEXT_SCANNER_H
 
 #include <Atlas/core/errors.h>
+#include <Atlas/image/internal/text_bytes.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -43,13 +44,19 @@ inline std::string read_whole_file(const std::filesystem::path& path)
   return bytes;
 }
 
+/// A file that is text, in UTF-8. See `decoded_text()`. \throw IO_error
+inline std::string read_text_file(const std::filesystem::path& path)
+{
+  return decoded_text(read_whole_file(path), printable(path.string()));
+}
+
 /// A token as it is shown in an error message: short, printable.
 inline std::string quoted(std::string_view token)
 {
-  std::string result = "'";
-  for (const char c : token.substr(0, 30))
-    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return result + (token.size() > 30 ? "...'" : "'");
+  std::size_t end = 0;
+  while (end < token.size() && end < 30)
+    end += std::max<std::size_t>(length_of_character(token.substr(end)), 1);
+  return "'" + printable(token.substr(0, end)) + (end < token.size() ? "...'" : "'");
 }
 
 /// Reads a text line by line and token by token; knows where it is when something is wrong.
@@ -109,6 +116,18 @@ public:
     return {begin, static_cast<std::size_t>(cursor_ - begin)};
   }
 
+  /// The next token, which stays; empty at the end of the line.
+  std::string_view peek()
+  {
+    const char* const here = (at_end(), cursor_);
+    const std::string_view word = token();
+    cursor_ = here;
+    return word;
+  }
+
+  /// The whole line as it stands, comments included.
+  std::string_view line_text() const { return {begin_, static_cast<std::size_t>(end_ - begin_)}; }
+
   /// What is left of the line without blanks at its ends.
   std::string_view remainder()
   {
@@ -138,6 +157,21 @@ public:
     cursor_ = p;
     return value;
   }
+
+  /// The next token as a number, if it is one; else it stays.
+  bool number_here(double& value)
+  {
+    if (at_end())
+      return false;
+    const auto [p, error] = std::from_chars(cursor_, end_, value);
+    if (error != std::errc() || (p != end_ && !ends_number(*p)))
+      return false;
+    cursor_ = p;
+    return true;
+  }
+
+  /// Skips bytes of the line that are known to be there.
+  void skip(std::size_t n) { cursor_ += n; }
 
   /// An integer at the cursor, which must not be preceded by blanks; `false` if there is none.
   bool integer_here(long long& value)
@@ -196,7 +230,7 @@ private:
     const void* const found = std::memchr(rest_.data(), end_of_line_, rest_.size());
     const std::size_t length =
         found ? static_cast<std::size_t>(static_cast<const char*>(found) - rest_.data()) : rest_.size();
-    cursor_ = rest_.data();
+    begin_ = cursor_ = rest_.data();
     end_ = cursor_ + length;
     rest_.remove_prefix(std::min(rest_.size(), length + 1));
   }
@@ -228,28 +262,19 @@ private:
     }
     line_ = start;
     lines_taken_ = lines;
-    cursor_ = joined_.data();
+    begin_ = cursor_ = joined_.data();
     end_ = cursor_ + joined_.size();
   }
 
   std::string_view rest_;
   std::string file_name_, joined_;
+  const char* begin_ = nullptr;
   const char* cursor_ = nullptr;
   const char* end_ = nullptr;
   std::size_t line_ = 0, lines_taken_ = 1;
   int options_;
   char end_of_line_;
 };
-
-/// Refuses text files with zero bytes, which no text has.
-inline void check_is_text(std::string_view bytes, const std::string& file_name)
-{
-  if (const auto at = bytes.find('\0'); at != std::string_view::npos)
-    throw IO_error(
-        file_name + ":" +
-        std::to_string(1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
-        ": not a text file (zero byte at offset " + std::to_string(at) + ")");
-}
 
 } // namespace Atlas::internal
 

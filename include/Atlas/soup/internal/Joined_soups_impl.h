@@ -49,6 +49,7 @@ ATLAS_INLINE Joined_soups::Joined_soups(std::vector<Polygon_soup> soups)
 {
   for (const Polygon_soup& soup : soups) {
     has_.colors = has_.colors || !soup.colors.empty();
+    has_.face_colors = has_.face_colors || !soup.face_colors.empty();
     has_.uv = has_.uv || !soup.uv.empty();
     has_.normals = has_.normals || !soup.corner_normal.empty();
     has_.materials = has_.materials || !soup.face_material.empty();
@@ -72,6 +73,8 @@ ATLAS_INLINE Polygon_soup Joined_soups::part(std::size_t i) const
     soup.vertices.push_back(own_vertex(whole_.vertices[c], from.vertex, to.vertex));
   if (from.has.colors)
     internal::slice(whole_.colors, soup.colors, from.vertex, to.vertex);
+  if (from.has.face_colors)
+    internal::slice(whole_.face_colors, soup.face_colors, from.face, to.face);
   internal::slice(whole_.uv, soup.uv, from.corner, to.corner);
   internal::slice(whole_.face_page, soup.face_page, from.face, to.face);
   if (from.has.uv)
@@ -127,8 +130,8 @@ ATLAS_INLINE std::vector<Index> Joined_soups::common_materials(const std::vector
 
 ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
 {
-  const Attributes has{!soup.colors.empty(), !soup.uv.empty(), !soup.corner_normal.empty(),
-                       !soup.face_material.empty(), !soup.face_group.empty()};
+  const Attributes has{!soup.colors.empty(),        !soup.face_colors.empty(),   !soup.uv.empty(),
+                       !soup.corner_normal.empty(), !soup.face_material.empty(), !soup.face_group.empty()};
   start_part(has);
   const Part& part = parts_.back();
   const std::size_t points = soup.points.size(), corners = soup.number_of_corners(),
@@ -136,6 +139,8 @@ ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   if (has_.colors)
     soup.colors.resize(points, {1, 1, 1, 1});
+  if (has_.face_colors)
+    soup.face_colors.resize(faces, {1, 1, 1, 1});
   if (has_.uv)
     soup.uv.resize(corners, Point_2(nan, nan));
   if (has_.normals)
@@ -157,6 +162,7 @@ ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
     whole_.first.push_back(soup.first[f] + part.corner);
   internal::append_list(whole_.vertices, std::move(soup.vertices));
   internal::append_list(whole_.colors, std::move(soup.colors));
+  internal::append_list(whole_.face_colors, std::move(soup.face_colors));
   internal::append_list(whole_.uv, std::move(soup.uv));
   internal::append_list(whole_.normals, std::move(soup.normals));
   internal::append_list(whole_.corner_normal, std::move(soup.corner_normal));

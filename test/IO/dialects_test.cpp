@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// What programs write that is not quite what the formats say.
+#include <Atlas/IO/read_polygon_soup.h>
+#include <Atlas/image/internal/text_bytes.h>
+
+#include "temporary_folder.h"
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace Atlas;
+
+namespace {
+
+Polygon_soup read_text(const std::string& name, const std::string& text)
+{
+  const test::Temporary_folder folder;
+  return read_polygon_soup(folder.write(name, text));
+}
+
+std::vector<std::vector<Index>> faces_of(const Polygon_soup& soup)
+{
+  std::vector<std::vector<Index>> result;
+  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
+    result.emplace_back(soup.face(f).begin(), soup.face(f).end());
+  return result;
+}
+
+using Faces = std::vector<std::vector<Index>>;
+using Color4 = std::array<float, 4>;
+const std::vector<Point_3> square_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const Faces square_faces = {{0, 1, 2}, {0, 2, 3}};
+
+template <typename Number>
+void append(std::string& bytes, Number value)
+{
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value); // tests run on machines that begin with the low byte
+  bytes.append(raw, sizeof raw);
+}
+
+/// The square as binary STL. \param attributes  of the two triangles
+std::string binary_square(std::string header, std::uint32_t count,
+                          std::array<std::uint16_t, 2> attributes = {})
+{
+  header.resize(80, ' ');
+  append(header, count);
+  for (std::size_t t = 0; t < 2; ++t) {
+    header += std::string(12, '\0');
+    for (const Index v : square_faces[t])
+      for (int k = 0; k < 3; ++k)
+        append(header, static_cast<float>(square_points[v][k]));
+    append(header, attributes[t]);
+  }
+  return header;
+}
+
+const std::string text_square =
+    "solid My part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1.0e0 0 0\n"
+    "vertex 1 1 0\nendloop\nendfacet\nfacet normal nan nan nan\nouter loop\n"
+    "vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid My part\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string upper_case(std::string text)
+{
+  for (char& c : text)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+void expect_square(const Polygon_soup& soup)
+{
+  EXPECT_EQ(soup.points, square_points);
+  EXPECT_EQ(faces_of(soup), square_faces);
+}
+
+std::string utf16(const std::string& ascii, bool is_big_endian, bool has_mark)
+{
+  std::string result = !has_mark ? "" : is_big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii)
+    result += is_big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return result;
+}
+
+const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+std::string ply_header(const std::string& list, const std::string& more = "")
+{
+  return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 2\nproperty list " +
+         list + '\n' + more + "end_header\n";
+}
+
+const std::string ply_rows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+
+} // namespace
+
+TEST(Stl_dialects, words_in_any_case_and_spacing)
+{
+  expect_square(read_text("a.stl", text_square));
+  expect_square(read_text("a.stl", upper_case(replaced(text_square, "nan", "0"))));
+  expect_square(
+      read_text("a.stl", replaced(replaced(text_square, "endloop", "end loop"), "endsolid", "End Solid")));
+  expect_square(read_text("a.stl", replaced(text_square, "endfacet", "end facet")));
+  expect_square(read_text(
+      "a.stl", replaced(replaced(text_square, "outer loop\n", "outer loop "), "\nendloop", " endloop")));
+  expect_square(read_text("a.stl", utf16(text_square, false, true)));
+}
+
+TEST(Stl_dialects, wrong_counts_give_way_to_the_size)
+{
+  EXPECT_TRUE(read_text("a.stl", binary_square("x", 2)).warnings.empty());
+  for (const std::uint32_t count : {0u, 1u, 3u, 0xFFFFFFFFu}) {
+    const Polygon_soup soup = read_text("a.stl", binary_square("x", count));
+    expect_square(soup);
+    EXPECT_EQ(soup.warnings, std::vector<std::string>{"the header tells of " + std::to_string(count) +
+                                                      " triangles, but there are 2"});
+  }
+  expect_square(read_text("a.stl", binary_square("solid with zeros\0", 0)));
+}
+
+TEST(Stl_dialects, colours_of_facets)
+{
+  EXPECT_TRUE(read_text("a.stl", binary_square("x", 2)).face_colors.empty());
+  // VisCAM: the highest bit tells that there is a colour, of which blue comes first.
+  const Polygon_soup viscam = read_text("a.stl", binary_square("x", 2, {0x8000 | 31, 0}));
+  EXPECT_EQ(viscam.face_colors, (std::vector<Color4>{{0, 0, 1, 1}, {1, 1, 1, 1}}));
+  // Magics: the highest bit tells that there is none, and the header has one for these; red comes first.
+  const Polygon_soup magics = read_text("a.stl", binary_square("COLOR=\xFF\x33\xCC\xFF", 2, {31, 0x8000}));
+  EXPECT_EQ(magics.face_colors, (std::vector<Color4>{{1, 0, 0, 1}, {1, .2f, .8f, 1}}));
+}
+
+TEST(Ply_dialects, names_types_and_line_ends)
+{
+  for (const char* list :
+       {"uchar int vertex_indices", "uint8 int64 vertex_indices", "uchar uint64 vertex_index",
+        "uchar int vertex_indexes", "int uint indices", "uchar int corners"})
+    expect_square(read_text("a.ply", ply_header(list) + ply_rows));
+  const std::string header = ply_header("uchar int vertex_indices");
+  expect_square(read_text("a.ply", header + replaced(ply_rows, "\n", " ")));
+  expect_square(read_text("a.ply", header + replaced(ply_rows, " ", "\n")));
+  expect_square(read_text("a.ply", header + replaced(ply_rows, "0 0\n1", "\n0 0\n\n1")));
+  expect_square(
+      read_text("a.ply", header + replaced(ply_rows, "\n", " 77\n"))); // values beyond those declared
+  EXPECT_THROW(read_text("a.ply", header + replaced(ply_rows, "\n", " ") + "7"), IO_error);
+  EXPECT_THROW(read_text("a.ply", header + ply_rows.substr(0, ply_rows.size() - 3)), IO_error);
+}
+
+TEST(Ply_dialects, binary_indices_of_64_bits)
+{
+  std::string bytes = replaced(ply_header("uchar int64 vertex_indices"), "ascii", "binary_little_endian");
+  for (const Point_3& p : square_points)
+    for (int k = 0; k < 3; ++k)
+      append(bytes, static_cast<float>(p[k]));
+  for (const auto& face : square_faces) {
+    bytes += '\3';
+    for (const Index v : face)
+      append(bytes, std::int64_t(v));
+  }
+  expect_square(read_text("a.ply", bytes));
+}
+
+TEST(Ply_dialects, headers_with_lines_of_no_keyword)
+{
+  const std::string header = replaced(ply_header("uchar int vertex_indices"), "element vertex",
+                                      "Created by Blender3D 247\nelement vertex");
+  const Polygon_soup soup = read_text("a.ply", header + ply_rows);
+  expect_square(soup);
+  EXPECT_EQ(soup.warnings, std::vector<std::string>{
+                               "line 3 of the header is taken for a comment: it begins with 'Created'"});
+}
+
+TEST(Ply_dialects, strips_of_triangles)
+{
+  // Every second triangle is turned; -1 ends a strip; triangles that name a vertex twice only lead on.
+  const std::string header =
+      replaced(replaced(ply_header("int int vertex_indices"), "face 2", "face 1"), "face", "tristrips");
+  const Polygon_soup soup =
+      read_text("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n12 1 2 0 3 -1 0 1 2 -1 1 1 2 0\n");
+  EXPECT_EQ(faces_of(soup), (Faces{{1, 2, 0}, {0, 2, 3}, {0, 1, 2}, {2, 1, 0}}));
+}
+
+TEST(Ply_dialects, colours_of_faces_and_of_floats)
+{
+  const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string rows = replaced(replaced(ply_rows, "0 1 2", "0 1 2 255 0 51"), "0 2 3", "0 2 3 0 255 0");
+  const std::vector<Color4> expected{{1, 0, .2f, 1}, {0, 1, 0, 1}};
+  EXPECT_EQ(read_text("a.ply", ply_header("uchar int vertex_indices", colors) + rows).face_colors, expected);
+  // Floats that go beyond 1 count to 255.
+  const std::string floats = replaced(colors, "uchar", "float");
+  EXPECT_EQ(read_text("a.ply", ply_header("uchar int vertex_indices", floats) + rows).face_colors, expected);
+  EXPECT_EQ(read_text("a.ply", ply_header("uchar int vertex_indices", floats) +
+                                   replaced(replaced(rows, "255", "1"), "51", "0.2"))
+                .face_colors,
+            expected);
+}
+
+TEST(Off_dialects, counts_behind_the_word_and_colours_of_faces)
+{
+  const std::string rows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  expect_square(read_text("a.off", "OFF4 2 0\n" + rows));
+  expect_square(read_text("a.off", "OFF 4 2 0\n" + rows));
+  expect_square(
+      read_text("a.off", "NOFF4 2 0\n" + replaced(replaced(rows, " 0\n", " 0 0 0 1\n"), "0 2 3", "0 2 3")));
+  EXPECT_TRUE(read_text("a.off", "OFF4 2 0\n" + rows).face_colors.empty());
+  const auto colors = [&](const std::string& first, const std::string& second) {
+    return read_text("a.off", "OFF\n4 2 0\n" + replaced(replaced(rows, "0 1 2", "0 1 2 " + first), "0 2 3",
+                                                        "0 2 3 " + second))
+        .face_colors;
+  };
+  EXPECT_EQ(colors("255 0 51", "0 255 0 0"), (std::vector<Color4>{{1, 0, .2f, 1}, {0, 1, 0, 0}}));
+  EXPECT_EQ(colors("1 0 0.2 1", ""), (std::vector<Color4>{{1, 0, .2f, 1}, {1, 1, 1, 1}}));
+  EXPECT_EQ(colors("", "0 1 0"), (std::vector<Color4>{{1, 1, 1, 1}, {0, 1, 0, 1}}));
+  EXPECT_TRUE(colors("7", "8").empty()); // places in a table
+}
+
+TEST(Obj_dialects, encodings_and_zero_bytes)
+{
+  for (const bool is_big : {false, true})
+    for (const bool has_mark : {false, true})
+      expect_square(read_text("a.obj", utf16(obj_square, is_big, has_mark)));
+  expect_square(read_text("a.obj", obj_square + std::string(4096, '\0')));
+  expect_square(read_text("a.obj", replaced(obj_square, "f 1 2 3", std::string("f 1 2 3") + '\0')));
+  try {
+    std::string noise;
+    for (int i = 0; i < 1000; ++i)
+      noise += static_cast<char>(i * i % 251);
+    read_text("a.obj", noise);
+    ADD_FAILURE();
+  } catch (const IO_error& error) {
+    EXPECT_NE(std::string(error.what()).find("not a text file"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Obj_dialects, names_in_utf16)
+{
+  std::string text = utf16("usemtl ", false, true);
+  text += std::string("\xE4\x00\x3D\xD8\x00\xDE\n\0", 8); // a umlaut and a face outside of the first plane
+  const Polygon_soup soup = read_text("a.obj", text + utf16(obj_square, false, false));
+  EXPECT_EQ(soup.material_names, std::vector<std::string>{"\xC3\xA4\xF0\x9F\x98\x80"});
+}
+
+TEST(Obj_dialects, colours_of_255_and_of_zbrush)
+{
+  const Polygon_soup wide = read_text("a.obj", "v 0 0 0 255 0 51\nv 1 0 0 0 0 0\nv 1 1 0 1 1 1\nf 1 2 3\n");
+  EXPECT_EQ(wide.colors,
+            (std::vector<Color4>{{1, 0, .2f, 1}, {0, 0, 0, 1}, {1.f / 255, 1.f / 255, 1.f / 255, 1}}));
+  const Polygon_soup painted =
+      read_text("a.obj", obj_square + "#The following MRGB block\n#MRGB ffff0033ff00FF00\n#MRGB 00000000\n");
+  EXPECT_EQ(painted.colors, (std::vector<Color4>{{1, 0, .2f, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}}));
+}
+
+TEST(Text_bytes, are_shown_without_what_is_no_text)
+{
+  EXPECT_EQ(internal::printable("plain \xC3\xA4\xE2\x82\xAC"), "plain \xC3\xA4\xE2\x82\xAC");
+  EXPECT_EQ(internal::printable(std::string_view("a\0\x1B\x7F", 4)), "a\\x00\\x1B\\x7F");
+  EXPECT_EQ(internal::printable("\xC3(\xE2\x82"), "\\xC3(\\xE2\\x82");
+}
