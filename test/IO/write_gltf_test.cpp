@@ -7,8 +7,11 @@
 
 #include "temporary_folder.h"
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <string>
+#include <tiny_gltf.h>
 #include <vector>
 
 using namespace Atlas;
@@ -107,6 +110,38 @@ TEST(Write_glb, leaves_out_faces_without_a_shape)
   soup.points[0] = Point_3(NAN, INFINITY, 0);
   write_glb(folder / "a.glb", soup, "");
   EXPECT_EQ(read_polygon_soup(folder / "a.glb").number_of_faces(), 1u);
+}
+
+TEST(Write_glb, colours_are_light)
+{
+  // sRGB 0.50196, which is 128 of 255, is the light 0.2158605 (IEC 61966-2-1); it comes back as it was.
+  const test::Temporary_folder folder;
+  Polygon_soup soup = two_triangles(true);
+  soup.colors.assign(soup.points.size(), {128.f / 255, 1, 0, .5f});
+  write_glb(folder / "a.glb", soup, "");
+  tinygltf::TinyGLTF loader;
+  tinygltf::Model model;
+  std::string error, warning;
+  ASSERT_TRUE(loader.LoadBinaryFromFile(&model, &error, &warning, (folder / "a.glb").string()));
+  const auto& accessor =
+      model.accessors[static_cast<std::size_t>(model.meshes[0].primitives[0].attributes.at("COLOR_0"))];
+  const auto& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+  float written[4];
+  std::memcpy(written, &model.buffers[0].data[view.byteOffset], sizeof written);
+  EXPECT_NEAR(written[0], 0.2158605f, 1e-6);
+  EXPECT_EQ(written[1], 1);
+  EXPECT_EQ(written[2], 0);
+  EXPECT_EQ(written[3], .5f);
+  EXPECT_NEAR(read_polygon_soup(folder / "a.glb").colors[0][0], 128.f / 255, 1e-6);
+}
+
+TEST(Write_ply, keeps_colours_of_faces)
+{
+  const test::Temporary_folder folder;
+  Polygon_soup soup = two_triangles(true);
+  soup.face_colors = {{1, 0, .2f, 1}, {0, 1, 0, 1}};
+  write_ply(folder / "a.ply", soup, "");
+  EXPECT_EQ(read_polygon_soup(folder / "a.ply").face_colors, soup.face_colors);
 }
 
 TEST(Write_ply, both_styles_come_back_the_same)

@@ -97,6 +97,20 @@ TEST(Bake_vertex_colors, triangles_between_texel_centres_are_seen)
   EXPECT_EQ(bake_vertex_colors(soup, 16).pixels, std::vector<Color>(256, Color{255, 0, 0}));
 }
 
+TEST(Bake_vertex_colors, colours_of_faces_count_where_vertices_are_white_or_have_none)
+{
+  Polygon_soup soup = square();
+  soup.face_colors = {{1, 0, 0, 1}};
+  EXPECT_EQ(bake_vertex_colors(soup, 4).pixels, std::vector<Color>(16, Color{255, 0, 0}));
+  soup.colors.assign(4, {1, 1, 1, 1});
+  EXPECT_EQ(bake_vertex_colors(soup, 4).pixels, std::vector<Color>(16, Color{255, 0, 0}));
+  soup.colors.assign(4, {0, 1, 0, 1});
+  EXPECT_EQ(bake_vertex_colors(soup, 4).pixels, std::vector<Color>(16, Color{0, 255, 0}));
+  soup.colors.clear();
+  soup.face_colors.clear();
+  EXPECT_THROW(bake_vertex_colors(soup, 4), Invalid_argument);
+}
+
 TEST(Bake_procedural, knows_the_position)
 {
   const Image image = bake_procedural(square(), 32, [](const Point_3& p) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
@@ -10,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
@@ -205,12 +208,133 @@ TEST(Read_textures, what_mtl_files_say)
   EXPECT_EQ(source.textures[1].factor, (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(source.textures[1].wrap_v, Texture_wrap::clamp);
 
-  std::filesystem::remove(folder / "my tex.png");
-  EXPECT_THROW(read_textures(mesh, read_polygon_soup(mesh)), IO_error);
-  folder.write("my tex.png", "no picture");
-  EXPECT_THROW(read_textures(mesh, read_polygon_soup(mesh)), IO_error);
-  std::filesystem::remove(folder / "a.mtl");
-  EXPECT_THROW(read_textures(mesh, read_polygon_soup(mesh)), IO_error);
+  EXPECT_EQ(source.textures[1].transform, (std::array<double, 6>{2, 0, 0, 0, 2, 0}));
+  EXPECT_TRUE(source.warnings.empty());
+}
+
+TEST(Read_textures, what_cannot_be_read_is_told_and_its_plain_colour_counts)
+{
+  const test::Temporary_folder folder;
+  folder.write("a.mtl", "newmtl gone\nKd 0.25 0.5 1\nmap_Kd gone.png\nnewmtl broken\nmap_Kd broken.png\n"
+                        "newmtl there\nmap_Kd there.png\n");
+  folder.write("broken.png", "no picture");
+  write_png(folder / "there.png", noise(4));
+  const auto mesh =
+      folder.write("a.obj", "mtllib a.mtl none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl gone\nf 1 2 3\n"
+                            "usemtl broken\nf 1 2 3\nusemtl there\nf 1 2 3\n");
+  const Source_textures source = read_textures(mesh, read_polygon_soup(mesh));
+  EXPECT_EQ(source.face_texture, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(source.textures[0].factor, (std::array<double, 3>{.25, .5, 1}));
+  EXPECT_EQ(source.textures[2].image.pixels, noise(4).pixels);
+  ASSERT_EQ(source.warnings.size(), 3u);
+  EXPECT_EQ(source.warnings[0], "there is no material library 'none.mtl'");
+  EXPECT_EQ(source.warnings[1], "there is no picture 'gone.png'");
+  EXPECT_NE(source.warnings[2].find("not a picture"), std::string::npos);
+
+  const auto alone = folder.write("b.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+  EXPECT_EQ(read_textures(alone, read_polygon_soup(alone)).face_texture, std::vector<Index>{no_index});
+}
+
+TEST(Read_textures, names_of_files_as_programs_write_them)
+{
+  const test::Temporary_folder folder;
+  std::filesystem::create_directories(folder / "sub");
+  write_png(folder / "sub/my Tex.png", noise(4));
+  folder.write("one two.mtl", "newmtl other\nKd 0 1 0\n");
+  for (const char* name :
+       {"sub/my Tex.png", "sub\\my Tex.png", "SUB/MY TEX.PNG", "\"sub/my Tex.png\"",
+        "C:\\Users\\me\\sub\\my Tex.png", "/home/me/SUB/my tex.png", "./sub/../sub/my Tex.png"})
+    for (const char* library :
+         {"one two.mtl A.MTL", "a.mtl", "\"a.mtl\"", ".\\a.mtl one two.mtl", "a.mtl  one two.mtl"}) {
+      folder.write("a.mtl", std::string("newmtl m\nmap_Kd ") + name + "\n");
+      const auto mesh = folder.write("a.obj", std::string("mtllib ") + library +
+                                                  "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+      const Source_textures source = read_textures(mesh, read_polygon_soup(mesh));
+      EXPECT_TRUE(source.warnings.empty()) << name << ", " << library;
+      ASSERT_EQ(source.textures.size(), 1u) << name << ", " << library;
+      EXPECT_EQ(source.textures[0].image.pixels, noise(4).pixels) << name << ", " << library;
+    }
+  EXPECT_FALSE(internal::find_file(folder.path(), "none.png"));
+  EXPECT_FALSE(internal::find_file(folder.path(), "sub"));
+}
+
+TEST(Read_textures, a_library_of_one_material_is_that_of_faces_without)
+{
+  const test::Temporary_folder folder;
+  const auto mesh = folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("a.mtl", "newmtl one\nKd 1 0 0\n");
+  EXPECT_EQ(read_textures(mesh, read_polygon_soup(mesh)).face_texture, std::vector<Index>{0});
+  folder.write("a.mtl", "newmtl one\nKd 1 0 0\nnewmtl two\nKd 0 1 0\n");
+  EXPECT_EQ(read_textures(mesh, read_polygon_soup(mesh)).face_texture, std::vector<Index>{no_index});
+}
+
+TEST(Transfer_texture, scale_and_offset_of_mtl)
+{
+  // Left half red, right half blue.
+  Image halves(8, 8, {255, 0, 0});
+  for (std::size_t y = 0; y < 8; ++y)
+    for (std::size_t x = 4; x < 8; ++x)
+      halves.at(x, y) = {0, 0, 255};
+  const test::Temporary_folder folder;
+  write_png(folder / "tex.png", halves);
+  const auto baked = [&](const std::string& options) {
+    folder.write("a.mtl", "newmtl m\nmap_Kd " + options + " tex.png\n");
+    const auto mesh =
+        folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\n"
+                              "vt 0 1\nusemtl m\nf 1/1 2/2 3/3 4/4\n");
+    Polygon_soup soup = read_polygon_soup(mesh);
+    soup.old_uv = soup.uv;
+    soup.uv = square().uv;
+    const Image image = transfer_texture(soup, 16, read_textures(mesh, soup));
+    return std::array<Color, 2>{image.at(4, 8), image.at(11, 8)};
+  };
+  const Color red{255, 0, 0}, blue{0, 0, 255};
+  EXPECT_EQ(baked(""), (std::array<Color, 2>{red, red}));
+  EXPECT_EQ(baked("-o 0.5 0 0"), (std::array<Color, 2>{blue, blue}));
+  EXPECT_EQ(baked("-s 2 2 1"), (std::array<Color, 2>{red, blue}));
+  EXPECT_EQ(baked("-s 2 1 -o 0.5"), (std::array<Color, 2>{blue, red}));
+}
+
+TEST(Transfer_texture, alpha_goes_along_and_what_cannot_be_seen_has_no_colour)
+{
+  // A white disc that is opaque, on black that is transparent.
+  Image leaf(16, 16, {0, 0, 0});
+  leaf.alpha.assign(256, 0);
+  for (std::size_t i = 0; i < 256; ++i)
+    if (const double x = double(i % 16) - 7.5, y = double(i / 16) - 7.5; x * x + y * y < 36) {
+      leaf.pixels[i] = {255, 255, 255};
+      leaf.alpha[i] = 255;
+    }
+  EXPECT_EQ(transfer_texture(square(), 16, textures_of(leaf)).alpha, leaf.alpha);
+  for (const std::size_t size : {8u, 32u}) {
+    const Image baked = transfer_texture(square(), size, textures_of(leaf));
+    ASSERT_EQ(baked.alpha.size(), size * size);
+    bool is_between = false;
+    for (std::size_t i = 0; i < size * size; ++i) {
+      is_between = is_between || (baked.alpha[i] > 0 && baked.alpha[i] < 255);
+      EXPECT_EQ(baked.pixels[i], baked.alpha[i] > 0 ? (Color{255, 255, 255}) : (Color{0, 0, 0})) << i;
+    }
+    EXPECT_TRUE(is_between);
+    EXPECT_EQ(decode_image(png_bytes(baked), "").alpha, baked.alpha);
+  }
+  Source_textures half = textures_of(noise(4));
+  half.textures[0].opacity = 0.5;
+  EXPECT_EQ(transfer_texture(square(), 4, half).alpha, std::vector<std::uint8_t>(16, 128));
+  EXPECT_TRUE(transfer_texture(square(), 4, textures_of(noise(4))).alpha.empty());
+}
+
+TEST(Transfer_texture, factors_and_colours_of_vertices_multiply_light)
+{
+  Source_textures source = textures_of(Image(4, 4, {128, 128, 128}));
+  Polygon_soup soup = square();
+  soup.colors.assign(4, {.5f, .5f, .5f, 1});
+  EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{128, 128, 128})); // as in OBJ files
+  source.textures[0].multiplies_colors = true;
+  // sRGB 0.5 is the light 0.214 (IEC 61966-2-1); the product 0.0462 is sRGB 0.238.
+  EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{61, 61, 61}));
+  source.textures[0].image = Image();
+  source.textures[0].factor = {.5, 1, 0};
+  EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{61, 128, 0}));
 }
 
 TEST(Read_textures, gltf_moves_coordinates)

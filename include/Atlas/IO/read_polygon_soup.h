@@ -8,23 +8,29 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace Atlas {
 
 /// \brief Reads a mesh file; its extension tells the format, in any case.
 ///
-/// | extension | what is read |
-/// |---|---|
-/// | .obj | polygons with relative indices, comments, continued lines, all line ends; `v` with w or colours,
-/// `vt`, `vn`, `usemtl`, `mtllib`, `o` and `g` (one group name a face, the latest); vertices may come after
-/// the faces that name them; unknown statements are skipped | | .off, .coff | `OFF`, and with normals,
-/// colours or coordinates at the vertices `NOFF`, `COFF`, `STOFF` and their combinations; colours of faces
-/// are skipped | | .ply | text or binary of either byte order, with positions, normals, colours, and
-/// coordinates at the vertices, at the wedges of faces as MeshLab writes them, or at the halfedges as CGAL
-/// does; MeshLab's numbers of textures are pages | | .stl | text or binary; corners at exactly the same
-/// position become one vertex | | .gltf, .glb | version 2.0: all triangles of the default scene, transformed
-/// by their nodes |
+/// - .obj: polygons with relative indices, comments, continued lines, all line ends; `v` with w or colours
+/// (of
+///   [0, 1] or [0, 255]) and those of ZBrush (`#MRGB`), `vt`, `vn`, `usemtl`, `mtllib`, `o` and `g` (one
+///   group name a face, the latest); vertices may come after the faces that name them; unknown statements are
+///   skipped
+/// - .off, .coff: `OFF`, and with normals, colours or coordinates at the vertices `NOFF`, `COFF`, `STOFF` and
+///   their combinations; colours of faces
+/// - .ply: text or binary of either byte order, with positions, normals, colours of vertices and faces,
+/// triangle
+///   strips, and coordinates at the vertices, at the wedges of faces as MeshLab writes them, or at the
+///   halfedges as CGAL does; MeshLab's numbers of textures are pages
+/// - .stl: text or binary, with colours of facets as Magics or VisCAM; corners at exactly the same position
+///   become one vertex; where the count of a binary file is wrong, its size counts
+/// - .gltf, .glb: version 2.0: all triangles of the default scene, transformed by their nodes
+///
+/// Text may be UTF-8 or UTF-16. What is passed over is in `Polygon_soup::warnings`.
 ///
 /// \throw IO_error with one line that names the file, the line or byte and what is wrong: a statement cannot
 /// be understood, there is no face, the format is unknown or, in glTF, compressed
@@ -37,7 +43,9 @@ enum class Texture_wrap { repeat, clamp, mirror };
 struct Source_texture
 {
   Image image;                           ///< its first row belongs to v = 1; empty: the colour alone
-  std::array<double, 3> factor{1, 1, 1}; ///< multiplies the picture, in [0, 1]
+  std::array<double, 3> factor{1, 1, 1}; ///< multiplies the light of the picture; in [0, 1], as sRGB
+  double opacity = 1;                    ///< multiplies its alpha
+  bool multiplies_colors = false;        ///< whether the colours of the vertices do so too, as in glTF
   Texture_wrap wrap_u = Texture_wrap::repeat, wrap_v = Texture_wrap::repeat;
   std::array<double, 6> transform{1, 0, 0, 0, 1, 0}; ///< (u, v) -> (t0 u + t1 v + t2, t3 u + t4 v + t5)
 
@@ -52,17 +60,22 @@ struct Source_texture
 struct Source_textures
 {
   std::vector<Source_texture> textures;
-  std::vector<Index> face_texture; ///< per face of the model: its texture, or `no_index`
+  std::vector<Index> face_texture;   ///< per face of the model: its texture, or `no_index`
+  std::vector<std::string> warnings; ///< what is named but cannot be found or read, and what is shown instead
 };
 
-/// \brief Reads the textures that a mesh file names: `map_Kd` and `Kd` of the MTL files beside an OBJ file
-/// (with `<UDIM>` in the name, and `-clamp`), `TextureFile` of a PLY file, the base colours of glTF.
+/// \brief Reads the textures that a mesh file names: `map_Kd`, `Kd`, `d` and `map_d` of the MTL files beside
+/// an OBJ file (with `<UDIM>` in the name, and `-s`, `-o`, `-clamp`), `TextureFile` of a PLY file, the base
+/// colours of glTF.
 ///
 /// \param mesh  the file
 /// \param soup  what has been read from it; its `old_uv`, or `uv` if there are none, tell the tiles of UDIM
 ///
-/// Faces whose material is not described get `no_index`; other formats have no textures at all.
-/// \throw IO_error a file that is named cannot be read
+/// Files are looked for beside the mesh, in any case and with slashes of either kind; of paths of another
+/// machine the last parts count. Faces whose material is not described get `no_index`; an OBJ file that names
+/// no material for a face means that of its library, if it has one only. A picture that cannot be read is a
+/// warning, and the plain colour counts. Other formats have no textures at all. \throw IO_error the mesh
+/// itself cannot be read
 Source_textures read_textures(const std::filesystem::path& mesh, const Polygon_soup& soup);
 
 } // namespace Atlas

@@ -53,11 +53,19 @@ using Bake_shader = std::function<Color(const Bake_sample&)>;
 Image bake_texture(const Polygon_soup& soup, Image_size size, const Bake_shader& shader, Index page = 0,
                    const Execution& execution = Execution());
 
+/// \brief How far faces that lie on the same texels, as stacked charts do, differ in what they show: the
+/// share of the texels with several faces where two colours differ by more than 16 of 255 in a component. 0
+/// if no texel has several faces. The time of `bake_texture()`, for each face on a texel.
+double differing_share(const Polygon_soup& soup, Image_size size, const Bake_shader& shader, Index page = 0);
+
 /// A colour of components in [0, 1].
 Color color_of(const std::array<double, 3>& components);
 
-/// \brief The colours of the vertices as a texture.
-/// \throw Invalid_argument the soup has not a colour per vertex
+/// What `bake_vertex_colors()` shows. The soup must outlive it.
+Bake_shader vertex_color_shader(const Polygon_soup& soup);
+
+/// \brief The colours of the vertices as a texture, or where these are white or missing, those of the faces.
+/// \throw Invalid_argument the soup has neither a colour per vertex nor one per face
 Image bake_vertex_colors(const Polygon_soup& soup, Image_size size, Index page = 0);
 
 /// \brief Colours given by a function of the position in space as a texture.
@@ -85,13 +93,17 @@ Image bake_normals(const Polygon_soup& soup, Image_size size, Index page = 0,
 /// \param missing the colour of faces without an old texture
 ///
 /// Colours are interpolated between pixels; where the old texture is finer than the new one, a smaller
-/// version of it is taken, so that nothing is skipped. Faces without old coordinates get the colour of their
-/// material.
-/// \throw Invalid_argument `old_uv` has entries, but not one per corner, or `source` has not an entry per
-/// face
+/// version of it is taken, so that nothing is skipped. Alpha goes along. Faces without old coordinates get
+/// the colour of their material. Factors, and the colours of vertices where they count, multiply linear
+/// light. \throw Invalid_argument `old_uv` has entries, but not one per corner, or `source` has not an entry
+/// per face
 Image transfer_texture(const Polygon_soup& soup, Image_size size, const Source_textures& source,
                        Index page = 0, const Execution& execution = Execution(),
                        const Color& missing = {128, 128, 128});
+
+/// What `transfer_texture()` shows, without alpha. Its arguments must outlive it.
+Bake_shader texture_shader(const Polygon_soup& soup, Image_size size, const Source_textures& source,
+                           const Color& missing = {128, 128, 128});
 
 } // namespace Atlas
 

@@ -44,6 +44,8 @@ struct Image
 {
   std::size_t width = 0, height = 0; ///< pixels
   std::vector<Color> pixels;         ///< row by row
+  std::vector<std::uint8_t> alpha;   ///< per pixel, 0 is transparent; colours are not multiplied by it; or
+                                     ///< empty: opaque
 
   Image() = default;
   Image(std::size_t w, std::size_t h, const Color& background = {255, 255, 255})
@@ -52,10 +54,14 @@ struct Image
 
   Color& at(std::size_t x, std::size_t y) { return pixels[y * width + x]; }
   const Color& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
+  std::uint8_t alpha_at(std::size_t x, std::size_t y) const
+  {
+    return alpha.empty() ? 255 : alpha[y * width + x];
+  }
 };
 
-/// The picture at half the size, every pixel the mean of four. The last row and column of odd sizes are left
-/// out; a side of one pixel stays.
+/// The picture at half the size, every pixel the mean of four, weighted by alpha where it is not 0 for all of
+/// them. The last row and column of odd sizes are left out; a side of one pixel stays.
 inline Image halved(const Image& image)
 {
   const auto half = [](std::size_t n) { return n == 1 ? 1 : n / 2; };
@@ -64,11 +70,20 @@ inline Image halved(const Image& image)
     for (std::size_t x = 0; x < result.width; ++x) {
       const std::size_t right = std::min(2 * x + 1, image.width - 1),
                         below = std::min(2 * y + 1, image.height - 1);
-      for (std::size_t k = 0; k < 3; ++k)
-        result.at(x, y)[k] =
-            static_cast<std::uint8_t>((image.at(2 * x, 2 * y)[k] + image.at(right, 2 * y)[k] +
-                                       image.at(2 * x, below)[k] + image.at(right, below)[k] + 2) /
-                                      4);
+      const std::array<std::array<std::size_t, 2>, 4> four = {
+          {{2 * x, 2 * y}, {right, 2 * y}, {2 * x, below}, {right, below}}};
+      unsigned opacity = 0;
+      for (const auto& [i, j] : four)
+        opacity += image.alpha_at(i, j);
+      const unsigned total = opacity > 0 ? opacity : 4;
+      for (std::size_t k = 0; k < 3; ++k) {
+        unsigned sum = total / 2;
+        for (const auto& [i, j] : four)
+          sum += (opacity > 0 ? image.alpha_at(i, j) : 1u) * image.at(i, j)[k];
+        result.at(x, y)[k] = static_cast<std::uint8_t>(sum / total);
+      }
+      if (!image.alpha.empty())
+        result.alpha.push_back(static_cast<std::uint8_t>((opacity + 2) / 4));
     }
   return result;
 }
@@ -86,7 +101,7 @@ inline void paste(const Image& from, Image& to, std::size_t x, std::size_t y)
 /// \param squares  number of squares along the longer side, at least 1
 Image checkerboard(Image_size size, std::size_t squares = 64);
 
-/// \brief The bytes of a PNG file.
+/// \brief The bytes of a PNG file, with alpha where the picture has it.
 /// \throw IO_error the picture is empty or too large for PNG
 std::string png_bytes(const Image& image);
 
@@ -94,7 +109,7 @@ std::string png_bytes(const Image& image);
 /// \throw IO_error
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// \brief Decodes a picture: PNG, JPEG, BMP, TGA or GIF. Alpha is left out.
+/// \brief Decodes a picture: PNG, JPEG, BMP, TGA or GIF.
 /// \param name  for the message
 /// \throw IO_error
 Image decode_image(std::string_view bytes, const std::string& name);

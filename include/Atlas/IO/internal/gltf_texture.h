@@ -3,15 +3,15 @@
 #define ATLAS_IO_INTERNAL_GLTF_TEXTURE_H
 
 #include <Atlas/IO/read_polygon_soup.h>
-#include <Atlas/core/errors.h>
 #include <Atlas/image/internal/image_of.h>
+#include <Atlas/image/internal/srgb.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <tiny_gltf.h>
+#include <vector>
 
 namespace Atlas::internal {
 
@@ -20,13 +20,6 @@ inline Texture_wrap wrap_of(int gltf_wrap)
   return gltf_wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? Texture_wrap::clamp
          : gltf_wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Texture_wrap::mirror
                                                               : Texture_wrap::repeat;
-}
-
-/// A linear component as it is stored in pictures (sRGB, IEC 61966-2-1).
-inline double encoded_srgb(double x)
-{
-  x = std::clamp(x, 0.0, 1.0);
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
 /// The extension KHR_texture_transform, from the coordinates of glTF, whose v points down, to ours.
@@ -48,24 +41,43 @@ inline std::array<double, 6> texture_transform(const tinygltf::Value& extension)
           s * scale[0], c * scale[1],  1 - c * scale[1] - offset[1]};
 }
 
+/// The attribute with the coordinates of a texture; KHR_texture_transform may name another one.
+inline std::string texcoord_of(const tinygltf::TextureInfo& texture)
+{
+  int set = texture.texCoord;
+  if (const auto it = texture.extensions.find("KHR_texture_transform"); it != texture.extensions.end())
+    if (it->second.Has("texCoord") && it->second.Get("texCoord").IsInt())
+      set = it->second.Get("texCoord").GetNumberAsInt();
+  return "TEXCOORD_" + std::to_string(set);
+}
+
+/// How a material colours: its base colour. A picture that cannot be read is told of, and left out.
 inline Source_texture texture_of(const tinygltf::Model& model, const tinygltf::Material& material,
-                                 const std::string& file)
+                                 std::vector<std::string>& warnings)
 {
   Source_texture result;
+  result.multiplies_colors = true;
   const auto& surface = material.pbrMetallicRoughness;
   for (std::size_t k = 0; k < 3 && k < surface.baseColorFactor.size(); ++k)
     result.factor[k] = encoded_srgb(surface.baseColorFactor[k]);
+  const bool is_opaque = material.alphaMode != "MASK" && material.alphaMode != "BLEND";
+  if (!is_opaque && surface.baseColorFactor.size() == 4)
+    result.opacity = surface.baseColorFactor[3];
   const int t = surface.baseColorTexture.index;
   if (t < 0 || static_cast<std::size_t>(t) >= model.textures.size())
     return result;
-  const tinygltf::Texture& texture = model.textures[t];
+  const tinygltf::Texture& texture = model.textures[static_cast<std::size_t>(t)];
   if (texture.source >= 0 && static_cast<std::size_t>(texture.source) < model.images.size())
-    result.image = image_of(model.images[texture.source]);
+    result.image = image_of(model.images[static_cast<std::size_t>(texture.source)]);
   if (result.image.pixels.empty())
-    throw IO_error(file + ": the picture of material '" + material.name + "' cannot be read");
+    warnings.push_back("the picture of material '" + material.name +
+                       "' cannot be read; its plain colour counts");
+  if (is_opaque)
+    result.image.alpha.clear();
   if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model.samplers.size()) {
-    result.wrap_u = wrap_of(model.samplers[texture.sampler].wrapS);
-    result.wrap_v = wrap_of(model.samplers[texture.sampler].wrapT);
+    const tinygltf::Sampler& sampler = model.samplers[static_cast<std::size_t>(texture.sampler)];
+    result.wrap_u = wrap_of(sampler.wrapS);
+    result.wrap_v = wrap_of(sampler.wrapT);
   }
   const auto& extensions = surface.baseColorTexture.extensions;
   if (const auto it = extensions.find("KHR_texture_transform"); it != extensions.end())

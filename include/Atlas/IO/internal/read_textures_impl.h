@@ -4,6 +4,7 @@
 
 #include <Atlas/IO/internal/Mtl_reader.h>
 #include <Atlas/IO/internal/extension.h>
+#include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/internal/load_gltf.h>
 #include <Atlas/IO/read_polygon_soup.h>
@@ -11,10 +12,12 @@
 #include <Atlas/image/Image.h>
 #include <Atlas/image/pages.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tiny_gltf.h>
 #include <utility>
 #include <vector>
@@ -36,39 +39,105 @@ inline Index tile_of(const Polygon_soup& soup, const std::vector<Point_2>& uv, s
   return face.face_page[0];
 }
 
+/// The picture that a file means by a name; an empty one, and a warning, if there is none that can be read.
+inline Image read_picture(const std::filesystem::path& folder, const std::string& name,
+                          std::vector<std::string>& warnings)
+{
+  const auto path = find_file(folder, name);
+  if (!path) {
+    warnings.push_back("there is no picture " + internal::quoted(name));
+    return Image();
+  }
+  try {
+    return read_image(*path);
+  } catch (const IO_error& error) {
+    warnings.emplace_back(error.what());
+    return Image();
+  }
+}
+
+/// The libraries that an OBJ file names: one a statement, with blanks in its name, or several.
+inline Mtl_reader read_libraries(const std::filesystem::path& folder,
+                                 const std::vector<std::string>& statements,
+                                 std::vector<std::string>& warnings)
+{
+  Mtl_reader reader;
+  for (const std::string& statement : statements) {
+    std::string_view rest = statement;
+    while (!rest.empty()) { // the longest name that there is
+      std::string_view name = rest;
+      auto path = find_file(folder, std::string(name));
+      while (!path && name.find_last_of(" \t") != std::string_view::npos) {
+        name = name.substr(0, name.find_last_of(" \t"));
+        path = find_file(folder, std::string(name));
+      }
+      if (path)
+        reader.read(*path);
+      else
+        warnings.push_back("there is no material library " + internal::quoted(name));
+      rest.remove_prefix(name.size());
+      rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t")));
+    }
+  }
+  return reader;
+}
+
+/// Transparency that is a picture of its own: its alpha, or its brightness. Both have one size.
+inline void add_alpha(Image& image, const Image& alpha)
+{
+  if (alpha.width != image.width || alpha.height != image.height || image.pixels.empty())
+    return;
+  image.alpha.clear();
+  for (std::size_t i = 0; i < alpha.pixels.size(); ++i)
+    image.alpha.push_back(alpha.alpha.empty() ? alpha.pixels[i][0] : alpha.alpha[i]);
+}
+
+inline Source_texture texture_of(const Mtl_material& material, Index tile,
+                                 const std::filesystem::path& folder, std::vector<std::string>& warnings)
+{
+  const auto name_of_tile = [&](std::string name) {
+    if (const std::size_t place = name.find("<UDIM>"); place != std::string::npos)
+      name.replace(place, 6, std::to_string(udim_tile(tile)));
+    return name;
+  };
+  Source_texture texture;
+  if (material.is_clamped)
+    texture.wrap_u = texture.wrap_v = Texture_wrap::clamp;
+  texture.transform = {material.scale[0], 0, material.offset[0], 0, material.scale[1], material.offset[1]};
+  if (!material.picture.empty())
+    texture.image = read_picture(folder, name_of_tile(material.picture), warnings);
+  if (texture.image.pixels.empty())
+    texture.factor = material.diffuse;
+  else if (!material.alpha_picture.empty())
+    add_alpha(texture.image, read_picture(folder, name_of_tile(material.alpha_picture), warnings));
+  texture.opacity = material.opacity;
+  return texture;
+}
+
 inline Source_textures read_mtl_textures(const std::filesystem::path& mesh, const Polygon_soup& soup,
                                          const std::vector<Point_2>& uv)
 {
-  Mtl_reader reader;
-  for (const std::string& library : soup.material_libraries)
-    reader.read(mesh.parent_path() / library);
   Source_textures result;
+  const std::filesystem::path folder = mesh.parent_path();
+  const Mtl_reader reader = read_libraries(folder, soup.material_libraries, result.warnings);
   result.face_texture.assign(soup.number_of_faces(), no_index);
-  std::map<std::pair<Index, Index>, Index> number; // of a material and tile
-  for (std::size_t f = 0; f < soup.number_of_faces() && !soup.face_material.empty(); ++f) {
-    if (soup.face_material[f] == no_index)
+  std::map<std::pair<const Mtl_material*, Index>, Index> number; // of a material and tile
+  const Mtl_material* const only = reader.materials.size() == 1 ? &reader.materials.begin()->second : nullptr;
+  for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
+    const Mtl_material* material = only;
+    if (!soup.face_material.empty() && soup.face_material[f] != no_index) {
+      const auto found = reader.materials.find(soup.material_names[soup.face_material[f]]);
+      material = found == reader.materials.end() ? nullptr : &found->second;
+    }
+    if (!material)
       continue;
-    const auto found = reader.materials.find(soup.material_names[soup.face_material[f]]);
-    if (found == reader.materials.end())
-      continue;
-    const Mtl_material& material = found->second;
-    const std::size_t place = material.picture.find("<UDIM>");
-    const Index tile = place == std::string::npos || uv.empty() ? 0 : tile_of(soup, uv, f);
+    const bool has_tiles = material->picture.find("<UDIM>") != std::string::npos && !uv.empty();
+    const Index tile = has_tiles ? tile_of(soup, uv, f) : 0;
     const auto [it, is_new] =
-        number.try_emplace({soup.face_material[f], tile}, static_cast<Index>(result.textures.size()));
+        number.try_emplace({material, tile}, static_cast<Index>(result.textures.size()));
     result.face_texture[f] = it->second;
-    if (!is_new)
-      continue;
-    Source_texture texture;
-    texture.factor = material.picture.empty() ? material.diffuse : texture.factor;
-    if (material.is_clamped)
-      texture.wrap_u = texture.wrap_v = Texture_wrap::clamp;
-    std::string picture = material.picture;
-    if (place != std::string::npos)
-      picture.replace(place, 6, std::to_string(udim_tile(tile)));
-    if (!picture.empty())
-      texture.image = read_image(mesh.parent_path() / picture);
-    result.textures.push_back(std::move(texture));
+    if (is_new)
+      result.textures.push_back(texture_of(*material, tile, folder, result.warnings));
   }
   return result;
 }
@@ -78,20 +147,34 @@ inline Source_textures read_ply_textures(const std::filesystem::path& mesh, cons
   Source_textures result;
   for (const std::string& name : soup.page_textures) {
     result.textures.emplace_back();
-    result.textures.back().image = read_image(mesh.parent_path() / name);
+    result.textures.back().image = read_picture(mesh.parent_path(), name, result.warnings);
   }
-  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
-    result.face_texture.push_back(soup.page(f) < result.textures.size() ? soup.page(f) : no_index);
+  for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
+    const Index page = soup.page(f);
+    const bool is_there = page < result.textures.size() && !result.textures[page].image.pixels.empty();
+    result.face_texture.push_back(is_there ? page : no_index);
+  }
   return result;
+}
+
+/// Decodes a picture of a glTF file; one that cannot be decoded stays empty.
+inline bool load_or_skip_picture(tinygltf::Image* image, int number, std::string*, std::string*, int width,
+                                 int height, const unsigned char* bytes, int size, void* options)
+{
+  std::string error, warning;
+  if (!tinygltf::LoadImageData(image, number, &error, &warning, width, height, bytes, size, options))
+    image->image.clear();
+  return true;
 }
 
 inline Source_textures read_gltf_textures(const std::filesystem::path& mesh, const Polygon_soup& soup)
 {
   tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(&load_or_skip_picture, nullptr);
   const tinygltf::Model model = load_gltf(mesh, loader);
   Source_textures result;
   for (const tinygltf::Material& material : model.materials)
-    result.textures.push_back(texture_of(model, material, mesh.string()));
+    result.textures.push_back(texture_of(model, material, result.warnings));
   result.face_texture = soup.face_material;
   result.face_texture.resize(soup.number_of_faces(), no_index);
   for (Index& t : result.face_texture)
@@ -110,7 +193,7 @@ ATLAS_INLINE Source_textures read_textures(const std::filesystem::path& mesh, co
     return internal::read_ply_textures(mesh, soup);
   if (extension == ".gltf" || extension == ".glb")
     return internal::read_gltf_textures(mesh, soup);
-  return {{}, std::vector<Index>(soup.number_of_faces(), no_index)};
+  return {{}, std::vector<Index>(soup.number_of_faces(), no_index), {}};
 }
 
 } // namespace Atlas

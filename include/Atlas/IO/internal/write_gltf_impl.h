@@ -10,6 +10,7 @@
 #include <Atlas/core/internal/bounding_box.h>
 #include <Atlas/core/internal/library.h>
 #include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/internal/srgb.h>
 #include <Atlas/soup/internal/split_vertices.h>
 
 #include <algorithm>
@@ -146,7 +147,10 @@ private:
       attributes_["NORMAL"] = add_floats(normals, TINYGLTF_TYPE_VEC3);
     if (!soup_.colors.empty()) {
       for (const Index v : split_.original)
-        colors.insert(colors.end(), soup_.colors[v].begin(), soup_.colors[v].end());
+        for (std::size_t k = 0; k < 4; ++k) // glTF has light, and alpha as it is
+          colors.push_back(k == 3
+                               ? soup_.colors[v][k]
+                               : static_cast<float>(decoded_srgb(static_cast<double>(soup_.colors[v][k]))));
       attributes_["COLOR_0"] = add_floats(colors, TINYGLTF_TYPE_VEC4);
     }
   }
@@ -171,6 +175,7 @@ private:
       return;
     if (model_.samplers.empty())
       add_sampler();
+    has_alpha_ = has_alpha_ || is_png_with_alpha(content);
     tinygltf::Image image;
     if (where_ == Gltf_textures::files) {
       image.uri = uri_of_name(content);
@@ -184,6 +189,12 @@ private:
     texture.sampler = 0;
     texture_of_page_.back() = static_cast<int>(model_.textures.size());
     model_.textures.push_back(texture);
+  }
+
+  /// Whether the bytes are a PNG file of colours with alpha, by its header.
+  static bool is_png_with_alpha(const std::string& bytes)
+  {
+    return bytes.size() > 25 && bytes.compare(1, 3, "PNG") == 0 && bytes[25] == 6;
   }
 
   void add_sampler()
@@ -208,6 +219,8 @@ private:
     tinygltf::Material material;
     material.name = page_material_name(soup_, number, page, names_pages_);
     material.doubleSided = true; // meshes of any orientation are to be seen
+    if (has_alpha_)
+      material.alphaMode = "BLEND";
     material.pbrMetallicRoughness.metallicFactor = 0;
     material.pbrMetallicRoughness.baseColorTexture.index = texture_of(page);
     model_.materials.push_back(material);
@@ -271,6 +284,7 @@ private:
   std::vector<int> texture_of_page_; ///< -1: none
   std::array<double, 3> center_{};
   double scale_ = 1;
+  bool has_alpha_ = false;
 };
 
 } // namespace internal

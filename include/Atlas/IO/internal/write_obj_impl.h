@@ -104,7 +104,8 @@ ATLAS_INLINE std::string obj_text(const Polygon_soup& soup, const std::string& m
   return text;
 }
 
-ATLAS_INLINE std::string mtl_text(const Polygon_soup& soup, const std::string& texture, Page_style style)
+ATLAS_INLINE std::string mtl_text(const Polygon_soup& soup, const std::string& texture, Page_style style,
+                                  bool has_alpha)
 {
   std::string text = "# written by Atlas\n";
   const Index pages = soup.number_of_pages();
@@ -115,7 +116,8 @@ ATLAS_INLINE std::string mtl_text(const Polygon_soup& soup, const std::string& t
       if (pages > 1 && !names_pages)
         picture.replace(picture.rfind(".1001") + 1, 4, "<UDIM>");
       text += "newmtl " + internal::page_material_name(soup, material, page, names_pages) +
-              "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n';
+              "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n' +
+              (has_alpha ? "map_d " + picture + '\n' : "");
     }
   };
   append(no_index);

@@ -8,6 +8,7 @@
 #include <Atlas/soup/internal/split_vertices.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -85,6 +86,8 @@ private:
       bytes_ += "property float texture_u\nproperty float texture_v\n";
     bytes_ += "element face " + std::to_string(soup_.number_of_faces()) + "\nproperty list " +
               count_type(longest_) + " int vertex_indices\n";
+    if (!soup_.face_colors.empty())
+      bytes_ += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
     if (has_wedge_uv_)
       bytes_ += "property list " + count_type(2 * longest_) + " float texcoord\nproperty int texnumber\n";
     bytes_ += "end_header\n";
@@ -116,6 +119,12 @@ private:
     put(static_cast<float>(p.y()));
   }
 
+  void put_color(const std::array<float, 4>& color)
+  {
+    for (const float c : color)
+      put(static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.f, 1.f))));
+  }
+
   void write_vertex(std::size_t v)
   {
     const Index original = split_.original[v];
@@ -127,8 +136,7 @@ private:
         put(n == no_index ? 0.f : static_cast<float>(soup_.normals[n][k]));
     }
     if (!soup_.colors.empty())
-      for (const float c : soup_.colors[original])
-        put(static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.f, 1.f))));
+      put_color(soup_.colors[original]);
     if (has_vertex_uv_)
       put_uv(split_.uv[v]);
   }
@@ -138,6 +146,8 @@ private:
     write_count(soup_.face(f).size(), longest_);
     for (std::size_t c = soup_.first[f]; c < soup_.first[f + 1]; ++c)
       put(static_cast<std::int32_t>(split_.corner[c]));
+    if (!soup_.face_colors.empty())
+      put_color(soup_.face_colors[f]);
     if (!has_wedge_uv_)
       return;
     write_count(2 * soup_.face(f).size(), 2 * longest_);

@@ -3,137 +3,43 @@
 #define ATLAS_BAKE_INTERNAL_BAKE_TEXTURE_IMPL_H
 
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/bake/internal/nearest_texels.h>
-#include <Atlas/core/Surface.h>
-#include <Atlas/core/build_surface.h>
+#include <Atlas/bake/internal/bake_texels.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/library.h>
-#include <Atlas/image/internal/fill_polygon.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <cstdlib>
 
 namespace Atlas {
-
-namespace internal {
-
-/// \brief Which triangle each texel of a page shows.
-class Page_raster
-{
-public:
-  Page_raster(const Polygon_soup& soup, Image_size size, Index page)
-      : soup_(soup), surface_(build_surface(soup.points, soup.first, soup.vertices)), size_(size),
-        triangle_(size.width * size.height, no_index)
-  {
-    for (Index t = 0; t < surface_.number_of_triangles(); ++t)
-      if (soup.page(surface_.face[t]) == page)
-        cover(t);
-  }
-
-  const Surface& surface() const { return surface_; }
-
-  std::vector<bool> coverage() const
-  {
-    std::vector<bool> result(triangle_.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = triangle_[i] != no_index;
-    return result;
-  }
-
-  Bake_sample sample(std::size_t texel) const
-  {
-    const Index t = triangle_[texel];
-    Bake_sample result;
-    result.texel = texel;
-    result.face = surface_.face[t];
-    result.triangle = t;
-    for (std::size_t i = 0; i < 3; ++i)
-      result.corners[i] = surface_.corner[3 * t + i];
-    result.weights = weights(corners_of(t), Point_2(static_cast<double>(texel % size_.width) + 0.5,
-                                                    static_cast<double>(texel / size_.width) + 0.5));
-    return result;
-  }
-
-private:
-  double width() const { return static_cast<double>(size_.width); }
-  double height() const { return static_cast<double>(size_.height); }
-
-  /// The corners in texels, y downwards.
-  std::array<Point_2, 3> corners_of(Index t) const
-  {
-    std::array<Point_2, 3> result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point_2& p = soup_.uv[surface_.corner[3 * t + i]];
-      result[i] = Point_2(p.x() * width(), (1 - p.y()) * height());
-    }
-    return result;
-  }
-
-  void cover(Index t)
-  {
-    const std::array<Point_2, 3> corners = corners_of(t);
-    for (const Point_2& p : corners)
-      if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-        return;
-    bool is_seen = false;
-    fill_polygon(corners, size_.width, size_.height, [&](std::size_t x, std::size_t y) {
-      triangle_[y * size_.width + x] = t;
-      is_seen = true;
-    });
-    if (is_seen)
-      return;
-    // Triangles between texel centres get the texel that their middle is in, if nobody else does.
-    const Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
-    if (!(middle.x() >= 0 && middle.y() >= 0 && middle.x() < width() && middle.y() < height()))
-      return;
-    Index& texel =
-        triangle_[static_cast<std::size_t>(middle.y()) * size_.width + static_cast<std::size_t>(middle.x())];
-    if (texel == no_index)
-      texel = t;
-  }
-
-  /// Barycentric coordinates, clamped into the triangle: a texel may be a little outside of what it shows.
-  static std::array<double, 3> weights(const std::array<Point_2, 3>& q, const Point_2& p)
-  {
-    const double area = CGAL::determinant(q[1] - q[0], q[2] - q[0]);
-    std::array<double, 3> w{1. / 3, 1. / 3, 1. / 3};
-    if (area == 0)
-      return w;
-    w[1] = std::clamp(CGAL::determinant(p - q[0], q[2] - q[0]) / area, 0.0, 1.0);
-    w[2] = std::clamp(CGAL::determinant(q[1] - q[0], p - q[0]) / area, 0.0, 1.0 - w[1]);
-    w[0] = 1 - w[1] - w[2];
-    return w;
-  }
-
-  const Polygon_soup& soup_;
-  Surface surface_;
-  Image_size size_;
-  std::vector<Index> triangle_; ///< per texel
-};
-
-} // namespace internal
 
 ATLAS_INLINE Image bake_texture(const Polygon_soup& soup, Image_size size, const Bake_shader& shader,
                                 Index page, const Execution& execution)
 {
+  return internal::bake_texels(
+      soup, size, [&](const Bake_sample& sample) { return internal::Texel{shader(sample)}; }, page,
+      execution);
+}
+
+ATLAS_INLINE double differing_share(const Polygon_soup& soup, Image_size size, const Bake_shader& shader,
+                                    Index page)
+{
   internal::require(soup.uv.size() == soup.number_of_corners(), "soup", "must have a coordinate per corner");
+  constexpr int tolerance = 16;
   const internal::Page_raster raster(soup, size, page);
-  const std::vector<bool> is_covered = raster.coverage();
-  const std::vector<Index> nearest = internal::nearest_texels(is_covered, size.width, size.height);
-  Image image(size.width, size.height, {128, 128, 128});
-  execution.for_each(size.height, [&](std::size_t row) {
-    if (!execution.proceed(double(row) / double(size.height)))
-      return;
-    for (std::size_t i = row * size.width; i < (row + 1) * size.width; ++i)
-      if (is_covered[i])
-        image.pixels[i] = shader(raster.sample(i));
-  });
-  for (std::size_t i = 0; i < is_covered.size(); ++i)
-    if (nearest[i] != no_index)
-      image.pixels[i] = image.pixels[nearest[i]];
-  return image;
+  std::size_t differing = 0;
+  for (const auto& [texel, triangle] : raster.covered_before()) {
+    const Color above = shader(raster.sample(texel)), below = shader(raster.sample(texel, triangle));
+    bool differs = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      differs = differs || std::abs(int(above[k]) - int(below[k])) > tolerance;
+    differing += differs;
+  }
+  const std::size_t all = raster.covered_before().size();
+  return all == 0 ? 0 : static_cast<double>(differing) / static_cast<double>(all);
 }
 
 ATLAS_INLINE Color color_of(const std::array<double, 3>& components)
@@ -144,14 +50,25 @@ ATLAS_INLINE Color color_of(const std::array<double, 3>& components)
   return color;
 }
 
+ATLAS_INLINE Bake_shader vertex_color_shader(const Polygon_soup& soup)
+{
+  const bool has_vertices = soup.colors.size() == soup.points.size(),
+             has_faces = soup.face_colors.size() == soup.number_of_faces();
+  internal::require(has_vertices || has_faces, "soup", "must have a colour per vertex or face");
+  return [&soup, has_vertices, has_faces](const Bake_sample& sample) {
+    std::array<double, 3> mean{1, 1, 1};
+    if (has_vertices)
+      mean = sample.mean<std::array<double, 3>>([&](Index c) { return soup.colors[soup.vertices[c]]; });
+    const bool is_white = mean[0] == 1 && mean[1] == 1 && mean[2] == 1;
+    for (std::size_t k = 0; k < 3 && has_faces && is_white; ++k)
+      mean[k] = static_cast<double>(soup.face_colors[sample.face][k]);
+    return color_of(mean);
+  };
+}
+
 ATLAS_INLINE Image bake_vertex_colors(const Polygon_soup& soup, Image_size size, Index page)
 {
-  internal::require(soup.colors.size() == soup.points.size(), "soup", "must have a colour per vertex");
-  const auto color = [&](const Bake_sample& sample) {
-    return color_of(
-        sample.mean<std::array<double, 3>>([&](Index c) { return soup.colors[soup.vertices[c]]; }));
-  };
-  return bake_texture(soup, size, color, page);
+  return bake_texture(soup, size, vertex_color_shader(soup), page);
 }
 
 ATLAS_INLINE Image bake_procedural(const Polygon_soup& soup, Image_size size,

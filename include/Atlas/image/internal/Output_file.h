@@ -102,6 +102,19 @@ inline void write_whole_file(const std::filesystem::path& path, std::string_view
   files.commit();
 }
 
+/// Finds out whether a file can be written to a place, with an empty one beside it that goes away again: a
+/// long work should not end with an error that was there before. Devices are not tried. \throw IO_error
+inline void check_can_write(const std::filesystem::path& path)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status))
+    return;
+  Output_files files;
+  files.add(path, "");
+}
+
 } // namespace Atlas::internal
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <Atlas/image/Image.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,7 +12,7 @@
 
 namespace Atlas::internal {
 
-/// The colours of a decoded picture; alpha is left out. An empty picture if it is of another kind.
+/// A decoded picture; without alpha if all of it is opaque. An empty picture if it is of another kind.
 inline Image image_of(const tinygltf::Image& decoded)
 {
   if (decoded.width <= 0 || decoded.height <= 0 || decoded.component <= 0 ||
@@ -22,14 +23,21 @@ inline Image image_of(const tinygltf::Image& decoded)
   const std::size_t bytes = static_cast<std::size_t>(decoded.bits) / 8;
   if (decoded.image.size() < image.pixels.size() * components * bytes)
     return Image();
+  const auto value = [&](std::size_t pixel, std::size_t component) {
+    const unsigned char* const p = &decoded.image[(pixel * components + component) * bytes];
+    std::uint16_t wide = 0;
+    if (bytes == 2)
+      std::memcpy(&wide, p, sizeof wide);
+    return bytes == 2 ? static_cast<std::uint8_t>(wide / 257) : *p;
+  };
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const unsigned char* const p = &decoded.image[(i * components + (components < 3 ? 0 : k)) * bytes];
-      std::uint16_t wide = 0;
-      if (bytes == 2)
-        std::memcpy(&wide, p, sizeof wide);
-      image.pixels[i][k] = bytes == 2 ? static_cast<std::uint8_t>(wide / 257) : *p;
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      image.pixels[i][k] = value(i, components < 3 ? 0 : k);
+  if (components % 2 == 0) // grey or colours, with alpha
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.alpha.push_back(value(i, components - 1));
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](std::uint8_t a) { return a == 255; }))
+    image.alpha.clear();
   return image;
 }
 
