@@ -28,9 +28,9 @@ std::string obj_text(const Polygon_soup& soup, const std::string& material_libra
 ///
 /// Of several pages each has a picture, called `page_file_name()`. With `Page_style::udim` one material names
 /// all of them, with `<UDIM>` in place of the tile's number; with `Page_style::materials` each material is
-/// there once per page.
+/// there once per page. \param has_alpha whether the picture tells opacity as well
 std::string mtl_text(const Polygon_soup& soup, const std::string& texture,
-                     Page_style style = Page_style::udim);
+                     Page_style style = Page_style::udim, bool has_alpha = false);
 
 /// \brief Writes an OBJ file, and beside it an MTL file of the same stem that names the texture.
 /// Either both files appear whole, or none. \param style how several pages are told apart \throw IO_error
@@ -50,7 +50,8 @@ enum class Gltf_textures {
 ///
 /// Polygons are triangulated, faces without a shape are left out, vertices are split where corners differ.
 /// Positions are rounded to floats; the coordinates of an atlas are floats already, and turning v upside
-/// down, as glTF wants it, rounds nothing. Normals, colours and materials are kept.
+/// down, as glTF wants it, rounds nothing. Normals, colours and materials are kept;
+/// textures with alpha blend.
 ///
 /// glTF has no tiles: of several pages each gets its own texture, materials ("name.1002", by the number of
 /// its UDIM tile) and primitives. \param page_textures per page the bytes of a PNG file, or its name; empty:
@@ -68,6 +69,30 @@ void write_glb(const std::filesystem::path& path, const Polygon_soup& soup, cons
 /// \brief Writes a binary glTF file with a texture per page, whole or not at all. \throw IO_error
 void write_glb(const std::filesystem::path& path, const Polygon_soup& soup,
                const std::vector<std::string>& page_pngs);
+
+/// What changes in a glTF document besides its coordinates.
+struct Gltf_changes
+{
+  int uv_set = 0;             ///< the number of the new set of coordinates; sets from there on move up by one
+  std::string base_color_png; ///< the bytes of a picture that shows the base colours by the new coordinates;
+                              ///< empty: materials stay as they are
+  bool has_base_factors = false; ///< whether the factors of materials are in it
+};
+
+/// \brief The bytes of a binary glTF file: the document that a soup was read from, with the soup's
+/// coordinates.
+///
+/// Nodes, names, transforms, skins, morph targets, animations, cameras, extras, extensions, materials and all
+/// other sets of coordinates stay as they are. Vertices are split where the corners of faces differ, at the
+/// end of their lists, with all their attributes. A mesh that several nodes show becomes one for each whose
+/// coordinates differ. With a new picture the colours of vertices go, which would multiply it. Pictures are
+/// inside.
+///
+/// \param original  the file, text or binary
+/// \param soup      what `read_polygon_soup()` has made of it, with one page
+/// \throw IO_error the file cannot be read, or Invalid_argument: it has other faces
+std::string glb_bytes(const std::filesystem::path& original, const Polygon_soup& soup,
+                      const Gltf_changes& changes = {});
 
 /// Where a PLY file keeps texture coordinates.
 enum class Ply_texcoord_style {
@@ -91,6 +116,7 @@ void write_ply(const std::filesystem::path& path, const Polygon_soup& soup, cons
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
+#include <Atlas/IO/internal/rewrite_gltf_impl.h>
 #include <Atlas/IO/internal/write_gltf_impl.h>
 #include <Atlas/IO/internal/write_obj_impl.h>
 #include <Atlas/IO/internal/write_ply_impl.h>

@@ -55,6 +55,38 @@ public:
     return result;
   }
 
+  /// The bytes of an accessor, row by row without gaps, sparse substitutions included.
+  std::string rows(int accessor_index) const
+  {
+    const tinygltf::Accessor& accessor = item(model_.accessors, accessor_index, "accessor");
+    const auto width = static_cast<std::size_t>(
+        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) *
+        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
+    if (accessor.bufferView < 0 && accessor.count > total_bytes())
+      fail("accessor " + std::to_string(accessor_index) + " is longer than the file");
+    std::string result(accessor.count * width, '\0');
+    const auto copy = [&](int view, std::size_t offset, std::size_t count, bool may_have_stride, auto place) {
+      const auto [begin, stride] = view_rows(view, offset, count, width, may_have_stride);
+      for (std::size_t i = 0; i < count; ++i)
+        std::memcpy(&result[place(i) * width], begin + i * stride, width);
+    };
+    if (accessor.bufferView >= 0)
+      copy(accessor.bufferView, accessor.byteOffset, accessor.count, true, [](std::size_t i) { return i; });
+    if (accessor.sparse.isSparse) {
+      const auto& sparse = accessor.sparse;
+      const auto n = static_cast<std::size_t>(std::max(sparse.count, 0));
+      const auto where =
+          view_numbers(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), n, 1,
+                       sparse.indices.componentType, false, false);
+      for (const double i : where)
+        if (!(i >= 0 && i < static_cast<double>(accessor.count)))
+          fail("a sparse accessor replaces what does not exist");
+      copy(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), n, false,
+           [&](std::size_t i) { return static_cast<std::size_t>(where[i]); });
+    }
+    return result;
+  }
+
 private:
   void substitute(const tinygltf::Accessor& accessor, std::size_t width, std::vector<double>& result) const
   {
@@ -83,23 +115,31 @@ private:
     return sum;
   }
 
-  std::vector<double> view_numbers(int view_index, std::size_t offset, std::size_t count, std::size_t width,
-                                   int type, bool is_normalized, bool may_have_stride) const
+  /// Where rows of so many bytes start in a view, and how far they are apart; fails if it is too short.
+  std::pair<const unsigned char*, std::size_t> view_rows(int view_index, std::size_t offset,
+                                                         std::size_t count, std::size_t tight,
+                                                         bool may_have_stride) const
   {
     const tinygltf::BufferView& view = item(model_.bufferViews, view_index, "buffer view");
     const tinygltf::Buffer& buffer = item(model_.buffers, view.buffer, "buffer");
-    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type));
-    if (size <= 0)
-      fail("unknown component type " + std::to_string(type));
-    const std::size_t tight = width * static_cast<std::size_t>(size);
     const std::size_t stride = may_have_stride && view.byteStride > 0 ? view.byteStride : tight;
     const std::size_t bytes = buffer.data.size();
     if (view.byteOffset > bytes || view.byteLength > bytes - view.byteOffset || count > bytes ||
         offset > view.byteLength || (count > 0 && (count - 1) * stride + tight > view.byteLength - offset))
       fail("buffer view " + std::to_string(view_index) + " is too short for what is to be read from it");
+    return {buffer.data.data() + view.byteOffset + offset, stride};
+  }
+
+  std::vector<double> view_numbers(int view_index, std::size_t offset, std::size_t count, std::size_t width,
+                                   int type, bool is_normalized, bool may_have_stride) const
+  {
+    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type));
+    if (size <= 0)
+      fail("unknown component type " + std::to_string(type));
+    const auto [begin, stride] =
+        view_rows(view_index, offset, count, width * static_cast<std::size_t>(size), may_have_stride);
     std::vector<double> result;
     result.reserve(count * width);
-    const unsigned char* const begin = buffer.data.data() + view.byteOffset + offset;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < width; ++k)
         result.push_back(

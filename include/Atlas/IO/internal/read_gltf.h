@@ -3,7 +3,9 @@
 #define ATLAS_IO_INTERNAL_READ_GLTF_H
 
 #include <Atlas/IO/internal/Gltf_numbers.h>
+#include <Atlas/IO/internal/gltf_texture.h>
 #include <Atlas/IO/internal/load_gltf.h>
+#include <Atlas/image/internal/srgb.h>
 #include <Atlas/soup/Polygon_soup.h>
 
 #include <Eigen/Dense>
@@ -20,18 +22,37 @@
 
 namespace Atlas::internal {
 
+/// Where in the soup the triangles of a primitive are, as a node shows it.
+struct Gltf_part
+{
+  int node, mesh;
+  std::size_t primitive; ///< of the mesh
+  std::size_t first_face, end_face;
+  Index first_vertex;
+  bool is_mirrored; ///< by the node: triangles in the soup run the other way around
+};
+
+/// Does not decode a picture: its bytes stay as they are.
+inline bool keep_picture_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                               const unsigned char* bytes, int size, void*)
+{
+  image->image.assign(bytes, bytes + size);
+  image->as_is = true;
+  return true;
+}
+
 class Gltf_reader
 {
 public:
   explicit Gltf_reader(const std::filesystem::path& path) : numbers_(model_, path.string())
   {
     tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(&skip_image, nullptr);
+    loader.SetImageLoader(&keep_picture_bytes, nullptr);
     model_ = load_gltf(path, loader);
     for (const std::string& extension : model_.extensionsRequired)
       if (extension != "KHR_mesh_quantization" && extension != "KHR_texture_transform" &&
           extension.rfind("KHR_materials_", 0) != 0)
-        numbers_.fail("needs the extension " + extension + ", which is not supported");
+        soup_.warnings.push_back("the file requires " + extension + ", which is passed over");
   }
 
   Polygon_soup read()
@@ -50,15 +71,12 @@ public:
     return std::move(soup_);
   }
 
+  const tinygltf::Model& model() const { return model_; }
+  /// Once it has been read.
+  const std::vector<Gltf_part>& parts() const { return parts_; }
+
 private:
   using Matrix = Eigen::Matrix4d;
-
-  /// Pictures are not needed.
-  static bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                         int, void*)
-  {
-    return true;
-  }
 
   std::vector<int> nodes_without_parent() const
   {
@@ -104,23 +122,30 @@ private:
       is_seen[static_cast<std::size_t>(n)] = true;
       const Matrix matrix = parent * transformation(node);
       if (node.mesh >= 0)
-        read_mesh(numbers_.item(model_.meshes, node.mesh, "mesh"), node.name, matrix);
+        read_mesh(n, numbers_.item(model_.meshes, node.mesh, "mesh"), matrix);
       for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
         stack.emplace_back(*it, matrix);
     }
   }
 
-  void read_mesh(const tinygltf::Mesh& mesh, const std::string& node_name, const Matrix& matrix)
+  void read_mesh(int n, const tinygltf::Mesh& mesh, const Matrix& matrix)
   {
-    soup_.group_names.push_back(node_name.empty() ? mesh.name : node_name);
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(n)];
+    soup_.group_names.push_back(node.name.empty() ? mesh.name : node.name);
+    const bool is_mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0;
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+      const tinygltf::Primitive& primitive = mesh.primitives[i];
+      parts_.push_back({n, node.mesh, i, soup_.number_of_faces(), 0, static_cast<Index>(soup_.points.size()),
+                        is_mirrored});
       if (primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN || primitive.mode == -1)
         read_primitive(primitive, matrix);
+      parts_.back().end_face = soup_.number_of_faces();
+    }
   }
 
   /// An attribute of the primitive as numbers, `width` a vertex; empty if it has none.
-  std::vector<double> attribute(const tinygltf::Primitive& primitive, const char* name,
+  std::vector<double> attribute(const tinygltf::Primitive& primitive, const std::string& name,
                                 std::size_t width) const
   {
     const auto it = primitive.attributes.find(name);
@@ -128,13 +153,14 @@ private:
   }
 
   /// The coordinates of the base colour, if the material tells and the primitive has them; else the first.
-  const char* texcoord_name(const tinygltf::Primitive& primitive) const
+  std::string texcoord_name(const tinygltf::Primitive& primitive) const
   {
-    const bool has_material =
-        primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model_.materials.size();
-    const bool is_second = has_material && model_.materials[static_cast<std::size_t>(primitive.material)]
-                                                   .pbrMetallicRoughness.baseColorTexture.texCoord == 1;
-    return is_second && primitive.attributes.count("TEXCOORD_1") ? "TEXCOORD_1" : "TEXCOORD_0";
+    const auto material = static_cast<std::size_t>(primitive.material);
+    const bool has_material = primitive.material >= 0 && material < model_.materials.size();
+    const std::string name =
+        has_material ? texcoord_of(model_.materials[material].pbrMetallicRoughness.baseColorTexture)
+                     : "TEXCOORD_0";
+    return primitive.attributes.count(name) ? name : "TEXCOORD_0";
   }
 
   void read_primitive(const tinygltf::Primitive& primitive, const Matrix& matrix)
@@ -186,7 +212,7 @@ private:
     for (std::size_t i = 0; i < n; ++i) {
       std::array<float, 4> color{1, 1, 1, 1};
       for (std::size_t k = 0; k < width && i * width + k < values.size(); ++k)
-        color[k] = static_cast<float>(values[i * width + k]);
+        color[k] = static_cast<float>(k < 3 ? encoded_srgb(values[i * width + k]) : values[i * width + k]);
       soup_.colors.push_back(color);
     }
   }
@@ -246,6 +272,7 @@ private:
   tinygltf::Model model_;
   Gltf_numbers numbers_;
   Polygon_soup soup_;
+  std::vector<Gltf_part> parts_;
   std::vector<Point_2> vertex_uv_;
   bool has_uv_ = false, has_normals_ = false;
 };
