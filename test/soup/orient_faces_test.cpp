@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Faces of mixed orientation.
+#include <Atlas/core/build_surface.h>
 #include <Atlas/soup/internal/turn_face.h>
+#include <Atlas/soup/internal/weld_points.h>
 #include <Atlas/soup/orient_faces.h>
 
 #include "baked_soups.h"
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <random>
 #include <utility>
@@ -136,6 +141,57 @@ TEST(Orient_faces, what_has_no_orientation_ends_too)
   EXPECT_TRUE(orient_faces(odd).empty());
   Polygon_soup nothing;
   EXPECT_TRUE(orient_faces(nothing).empty());
+}
+
+/// A mesh whose corners are vertices of their own, each moved a little.
+Polygon_soup torn(const test::Soup& mesh, double distance)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> offset(-distance, distance);
+  Polygon_soup soup;
+  for (const auto& polygon : mesh.polygons) {
+    for (const Index v : polygon) {
+      const Point_3& p = mesh.points[v];
+      soup.vertices.push_back(static_cast<Index>(soup.points.size()));
+      soup.points.emplace_back(p.x() + offset(random), p.y() + offset(random), p.z() + offset(random));
+    }
+    soup.close_face();
+  }
+  return soup;
+}
+
+std::ptrdiff_t open_halfedges(const Polygon_soup& soup)
+{
+  const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
+  return std::count(surface.opposite.begin(), surface.opposite.end(), no_index);
+}
+
+TEST(Weld_points, near_vertices_are_one_at_any_scale)
+{
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    Polygon_soup soup = torn(test::sphere(3), 1e-6);
+    for (Point_3& p : soup.points)
+      p = Point_3(p.x() * scale, p.y() * scale, p.z() * scale);
+    EXPECT_EQ(open_halfedges(soup), 3 * 512);
+    EXPECT_EQ(internal::weld_points(soup.points, 1e-8), 0u); // they are farther apart
+    EXPECT_EQ(internal::weld_points(soup.points, 1e-5), 3u * 512 - 258);
+    EXPECT_EQ(open_halfedges(soup), 0);
+    EXPECT_EQ(internal::weld_points(soup.points, 1e-5), 0u);
+  }
+}
+
+TEST(Weld_points, chains_go_to_their_first_and_the_infinite_stay)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point_3> points = {{1, 0, 0}, {1.0009, 0, 0}, {1.0018, 0, 0},
+                                 {0, 0, 0}, {nan, 0, 0},    {1.0028, 0, 0}};
+  EXPECT_EQ(internal::weld_points(points, 1e-3), 3u);
+  EXPECT_EQ(points[2], points[0]);
+  EXPECT_EQ(points[5], points[0]);
+  EXPECT_EQ(points[3], Point_3(0, 0, 0));
+  EXPECT_TRUE(std::isnan(points[4].x()));
+  std::vector<Point_3> same(3, Point_3(1, 1, 1));
+  EXPECT_EQ(internal::weld_points(same, 0.1), 0u);
 }
 
 } // namespace

@@ -123,6 +123,8 @@ ATLAS_INLINE double packing_efficiency(const Repacked_charts& repacked, const Pa
 {
   double sum = 0; // in texels
   for (std::size_t i = 0; i < repacked.charts.size(); ++i) {
+    if (!repacked.packing.layers.empty() && repacked.packing.layers[i] > 0)
+      continue;
     const Chart& chart = repacked.charts[i];
     const Placement& placement = repacked.packing.placements[i];
     double area = 0;
