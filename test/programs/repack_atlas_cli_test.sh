@@ -36,8 +36,14 @@ expect_match 0 'valid' out.obj -o again.obj --texture-size 64 --effort fast --ro
 expect_match 0 'pages=[345] .*texels_per_unit=100 ' piled.obj -o out.obj --texture-size 32 --density 100 --effort fast
 awk '$1 == "vt" && $2 > 1 { n = 1 } END { exit !n }' out.obj || fail "no second tile"
 expect_match 0 'pages=2' piled.obj -o out.obj --texture-size 64 --pages 2 --effort fast
-expect_match 1 'NOT VALID.*overlap' piled.obj -o out.obj --texture-size 64 --stack copies --effort fast
-expect_match 1 'NOT VALID.*overlap' piled.obj -o out.obj --texture-size 64 --stack mirrored --effort fast
+# Copies that lie on each other as they were asked to are no fault; all of them cover the page once.
+for stack in copies mirrored; do
+  expect_match 0 'charts=5 .*stacked=4 valid' piled.obj -o out.obj --texture-size 64 --stack $stack --effort fast
+  awk -F'efficiency=' '{ exit !($2 + 0 > 0 && $2 + 0 <= 1) }' stdout || fail "stacked charts count twice: $(cat stdout)"
+done
+expect_match 0 'stacked=0 valid' piled.obj -o out.obj --texture-size 64 --effort fast
+expect_match 1 'NOT VALID' folded.obj -o out.obj --texture-size 64 --stack copies --effort fast
+expect_match 2 'cannot write' piled.obj -o no/such/folder.obj
 expect_match 2 'stack' piled.obj -o out.obj --stack all
 expect_match 1 'NOT VALID' folded.obj -o out.obj --texture-size 64 --effort fast
 expect_match 0 'valid' piled.obj -o out.obj --texture-size 64 --effort fast --texture paint.png

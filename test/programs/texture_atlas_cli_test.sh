@@ -86,7 +86,9 @@ expect 0 0 cube.obj -o out/a.obj --texture-size 256
 expect 0 0 out/a.obj -o out/b.obj --bake texture
 grep -q 'map_Kd b_texture.png' out/b.mtl && [ -s out/b_texture.png ] || fail "no old texture"
 rm out/a_checkerboard.png out/b*
-expect 3 1 out/a.obj -o out/b.obj --bake texture
+expect 0 1 out/a.obj -o out/b.obj --bake texture
+grep -q "no picture 'a_checkerboard.png'" stderr || fail "a missing picture goes unnoticed: $(cat stderr)"
+rm out/b*
 files a.obj a.mtl a.json
 expect 3 1 cube.obj -o out/a.obj --bake texture
 

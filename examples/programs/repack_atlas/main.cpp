@@ -4,15 +4,21 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
+#include <Atlas/image/internal/Output_file.h>
+#include <Atlas/image/internal/text_bytes.h>
 #include <Atlas/soup/internal/atlas_of_soup.h>
 #include <Atlas/validation/certify.h>
 
 #include "packing_options.h"
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -24,19 +30,35 @@ struct Arguments : Packing_options
   unsigned threads = 0;
 };
 
+/// Per face its page, where each layer of charts that are copies of those below is a page of its own: these
+/// lie on each other as they should.
+std::vector<Atlas::Index> pages_of_layers(const Atlas::Repacked_charts& repacked,
+                                          const Atlas::Surface& surface, std::vector<Atlas::Index> pages)
+{
+  const Atlas::Packing& packing = repacked.packing;
+  for (std::size_t i = 0; i < packing.layers.size(); ++i)
+    for (const Atlas::Index t : repacked.charts[i].source)
+      pages[surface.face[t]] = packing.placements[i].page + packing.layers[i] * packing.number_of_pages;
+  return pages;
+}
+
 /// One line: what came out, and the verdict on it.
 void print(const Arguments& arguments, const Atlas::Repacked_charts& repacked,
            const Atlas::Atlas_certificate& certificate)
 {
   const Atlas::Packing& packing = repacked.packing;
   const double efficiency = Atlas::internal::packing_efficiency(repacked, arguments.page);
-  std::printf("charts=%zu pages=%u efficiency=%.3f gutter=%.2f texels_per_unit=%.6g %s\n",
+  const auto stacked = std::count_if(packing.layers.begin(), packing.layers.end(),
+                                     [](Atlas::Index layer) { return layer > 0; });
+  std::printf("charts=%zu pages=%u efficiency=%.3f gutter=%.2f texels_per_unit=%.6g stacked=%td %s\n",
               repacked.charts.size(), packing.number_of_pages, efficiency, packing.gutter, packing.density,
+              stacked,
               certificate.is_valid() ? "valid" : ("NOT VALID: " + Atlas::message(certificate)).c_str());
 }
 
 int run(const Arguments& arguments)
 {
+  Atlas::internal::check_can_write(arguments.output);
   const Atlas::Execution execution(arguments.threads);
   Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
   if (soup.uv.empty())
@@ -57,8 +79,8 @@ int run(const Arguments& arguments)
   options.height = arguments.page.height;
   options.gutter = repacked.packing.gutter;
   options.precision = Atlas::Uv_precision::single_precision;
-  const Atlas::Atlas_certificate certificate =
-      Atlas::certify(surface, soup.uv, soup.face_page, options, execution);
+  const Atlas::Atlas_certificate certificate = Atlas::certify(
+      surface, soup.uv, pages_of_layers(repacked, surface, soup.face_page), options, execution);
   if (arguments.texture.empty())
     Atlas::write_obj(arguments.output, soup);
   else
@@ -97,7 +119,7 @@ int main(int argc, char** argv)
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? VALID : COULD_NOT_TELL;
   } catch (const std::exception& error) {
-    std::cerr << "repack_atlas: " << error.what() << '\n';
+    std::cerr << "repack_atlas: " << Atlas::internal::printable(error.what()) << '\n';
     return COULD_NOT_TELL;
   }
 }

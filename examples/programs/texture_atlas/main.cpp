@@ -2,6 +2,7 @@
 // The main job as a program: any polygon mesh in, a textured model out, with a report and, if asked for,
 // pictures.
 #include <Atlas/core/errors.h>
+#include <Atlas/image/internal/text_bytes.h>
 #include <Atlas/soup/orient_faces.h>
 
 #include <CGAL/assertions.h>
@@ -41,7 +42,7 @@ enum Exit_code {
 void print_error(std::string message)
 {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  std::fprintf(stderr, "texture_atlas: %s\n", message.c_str());
+  std::fprintf(stderr, "texture_atlas: %s\n", Atlas::internal::printable(message).c_str());
 }
 
 std::atomic<bool> is_interrupted{false};
@@ -132,18 +133,47 @@ Exit_code say(const Options& options, const Atlas::Atlas_report& report)
   return success;
 }
 
+/// Makes the atlas, and gives the model its coordinates.
+Atlas::Atlas_report fill_model(Options& options, Input& input, const Patience& patience)
+{
+  Progress_printer progress(options, patience);
+  Atlas::Polygon_soup& model = input.models.whole();
+  std::vector<Atlas::Point_2> uv;
+  Atlas::Atlas_report report = make_atlas(options, model, input.surface, uv, std::ref(progress));
+  progress.finish();
+  if (report.status == Atlas::Atlas_status::cancelled || report.status == Atlas::Atlas_status::no_surface)
+    return report;
+  model.old_uv = std::exchange(model.uv, std::move(uv));
+  model.face_page = report.face_page;
+  start_polygons_at_fans(input.surface, model);
+  return report;
+}
+
+/// The same, where no charts share a place but those that look alike.
+Atlas::Atlas_report fill_model_as_it_looks(Options& options, Input& input, const Patience& patience)
+{
+  const bool is_baked = options.has(Bake::texture) || options.has(Bake::colors);
+  if (options.page.stacking == Atlas::Chart_stacking::none || !is_baked)
+    return fill_model(options, input, patience);
+  const Input before = input;
+  Atlas::Atlas_report report = fill_model(options, input, patience);
+  if (!is_stacked_wrongly(options, input, report))
+    return report;
+  if (!options.is_quiet)
+    print_error("charts that are copies of one another show different colours: none are stacked");
+  input = before;
+  options.page.stacking = Atlas::Chart_stacking::none;
+  return fill_model(options, input, patience);
+}
+
 int run(Options& options)
 {
   const Patience patience(options.time_limit);
+  check_outputs(options);
   const Stopwatch reading;
   Input input = read_meshes(options);
-  Atlas::Polygon_soup& model = input.models.whole();
   const double seconds_reading = reading.seconds();
-
-  Progress_printer progress(options, patience);
-  std::vector<Atlas::Point_2> uv;
-  const Atlas::Atlas_report report = make_atlas(options, model, input.surface, uv, std::ref(progress));
-  progress.finish();
+  const Atlas::Atlas_report report = fill_model_as_it_looks(options, input, patience);
   options.page.width = report.page_width; // where the aspect is free, another one
   options.page.height = report.page_height;
   if (report.status == Atlas::Atlas_status::cancelled)
@@ -155,9 +185,7 @@ int run(Options& options)
 
   const Stopwatch writing;
   const Atlas::Execution execution(options.threads, [&](double) { return !patience.is_over(); });
-  model.old_uv = std::exchange(model.uv, std::move(uv));
-  model.face_page = report.face_page;
-  start_polygons_at_fans(input.surface, model);
+  const Atlas::Polygon_soup& model = input.models.whole();
   const std::vector<std::string> names = write_outputs(options, input, report, execution);
   if (execution.is_cancelled())
     return patience.say();
@@ -166,6 +194,7 @@ int run(Options& options)
     print_unfulfilled(options, model, report);
     print_beyond_bound(report);
     print_disagreement(options, model, report);
+    print_unwelded(options, model, input.surface, report);
     print_table(options, model, report);
     print_times(report, seconds_reading, writing.seconds());
     for (std::size_t i = 0; i < names.size(); ++i)

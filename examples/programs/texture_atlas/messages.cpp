@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What the program says of its result.
+#include <Atlas/core/build_surface.h>
 #include <Atlas/image/pages.h>
+#include <Atlas/soup/internal/weld_points.h>
 #include <Atlas/soup/orient_faces.h>
 
 #include "texture_atlas.h"
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <map>
+#include <utility>
+#include <vector>
 
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report)
 {
@@ -98,6 +103,10 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
         stderr,
         "texture_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
         options.page.density, report.density);
+  if (options.keeps_document() && report.pages > 1)
+    std::fprintf(stderr,
+                 "texture_atlas: of the glTF document only the triangles of its scene and the names of "
+                 "materials are kept, since there are several pages\n");
   if (options.max_charts > 0 && report.charts.size() > options.max_charts)
     std::fprintf(stderr, "texture_atlas: fewer than %zu charts would not be discs without overlap\n",
                  report.charts.size());
@@ -122,10 +131,40 @@ void print_beyond_bound(const Atlas::Atlas_report& report)
         group.charts, report.charts.size(), 100 * group.area / report.area, message(reason));
 }
 
+namespace {
+
+/// Fewer charts need no explanation.
+constexpr std::size_t many_charts = 20;
+
+std::ptrdiff_t open_halfedges(const Atlas::Surface& surface)
+{
+  return std::count(surface.opposite.begin(), surface.opposite.end(), Atlas::no_index);
+}
+
+} // namespace
+
+void print_unwelded(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Surface& surface,
+                    const Atlas::Atlas_report& report)
+{
+  constexpr double near = 1e-5;
+  if (options.weld > 0 || options.meshes.size() > 1 || report.charts.size() < many_charts)
+    return;
+  std::vector<Atlas::Point_3> points = model.points;
+  if (Atlas::internal::weld_points(points, near) == 0)
+    return;
+  const auto before = open_halfedges(surface),
+             after = open_halfedges(Atlas::build_surface(std::move(points), model.first, model.vertices));
+  if (2 * after < before)
+    std::fprintf(
+        stderr,
+        "texture_atlas: %td of %td open edges hardly miss another one, and no chart runs over these; "
+        "--weld %g takes vertices so near to each other for one\n",
+        before - after, before, near);
+}
+
 void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,
                         const Atlas::Atlas_report& report)
 {
-  constexpr std::size_t many_charts = 20;
   if (options.turns_faces || report.charts.size() < many_charts)
     return;
   if (const std::size_t edges = Atlas::disagreeing_edges(model))

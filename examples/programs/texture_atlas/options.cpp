@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line.
+#include <Atlas/IO/internal/extension.h>
+
 #include "texture_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -125,6 +127,22 @@ void add_input_options(CLI::App& app, Options& options)
   app.add_flag("--orient", options.turns_faces,
                "Turn faces around first, so that neighbours agree which side is outside, as most of them do. "
                "Charts never run over an edge where they disagree");
+  app.add_option(
+         "--weld", options.weld,
+         "Take vertices for one that are nearer to each other than this share of the longest side of "
+         "the model's bounding box, as 1e-5: triangles of scanners and of STL files often hardly miss "
+         "each other. The model is written with the vertices that it has. Default: only equal ones")
+      ->check(CLI::Range(1e-12, 0.1));
+}
+
+void add_output_options(CLI::App& app, Options& options)
+{
+  app.add_option(
+         "--uv-set", options.uv_set,
+         "Of a glTF file written as .glb: the number of the new set of coordinates, 1 for a lightmap. Sets "
+         "from there on move up by one, and textures with them")
+      ->check(CLI::Range(0, 7))
+      ->capture_default_str();
 }
 
 void add_run_options(CLI::App& app, Options& options)
@@ -222,6 +240,7 @@ void declare_options(CLI::App& app, Options& options)
   add_coverage_options(app, options);
   add_run_options(app, options);
   add_picture_options(app, options);
+  add_output_options(app, options);
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.add_flag("--progress", options.shows_progress, "Show progress even if stderr is no terminal");
   app.footer("Exit code: 0 for a valid atlas; 1 if the atlas is not valid or the mesh has no area; 2 for a "
@@ -244,6 +263,8 @@ void complete_all(const CLI::App& app, Options& options)
   if (extension != ".obj" && extension != ".glb" && extension != ".ply" && !is_device)
     throw CLI::ValidationError("--output",
                                "the name of the model must end in .obj, .glb or .ply: " + options.output);
+  if (app.count("--uv-set") > 0 && !options.keeps_document())
+    throw CLI::ValidationError("--uv-set", "is for one glTF file that is written as .glb");
   complete(options);
   check_use_of_uv(app, options);
   check_use_of_merging(app, options);
@@ -260,6 +281,13 @@ void complete_all(const CLI::App& app, Options& options)
 bool Options::has(Bake bake) const
 {
   return std::find(bakes.begin(), bakes.end(), bake) != bakes.end();
+}
+
+bool Options::keeps_document() const
+{
+  const std::string extension = Atlas::internal::lower_case_extension(meshes.front());
+  return meshes.size() == 1 && (extension == ".glb" || extension == ".gltf") &&
+         fs::path(output).extension() == ".glb";
 }
 
 std::string Options::name() const

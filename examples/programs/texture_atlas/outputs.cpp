@@ -147,10 +147,30 @@ std::vector<std::string> pngs_of(const Textures& textures)
 {
   std::vector<std::string> pngs;
   for (std::size_t page = 0; page < textures.pages.size(); ++page) {
-    const bool is_repeated = page > 0 && textures.pages[page].pixels == textures.pages[page - 1].pixels;
+    const bool is_repeated = page > 0 && textures.pages[page].pixels == textures.pages[page - 1].pixels &&
+                             textures.pages[page].alpha == textures.pages[page - 1].alpha;
     pngs.push_back(is_repeated ? pngs.back() : Atlas::png_bytes(textures.pages[page]));
   }
   return pngs;
+}
+
+bool has_alpha(const Textures& textures)
+{
+  return std::any_of(textures.pages.begin(), textures.pages.end(),
+                     [](const Atlas::Image& page) { return !page.alpha.empty(); });
+}
+
+/// Takes colours out of the model that are in its texture now, or would be multiplied by it, as in glTF.
+void clear_baked_colors(const Options& options, Input& input)
+{
+  const auto& textures = input.source.textures;
+  const bool are_in_texture =
+      std::any_of(textures.begin(), textures.end(), [](const auto& t) { return t.multiplies_colors; });
+  const bool is_gltf = fs::path(options.output).extension() == ".glb";
+  if (!options.has(Bake::colors) && !(options.has(Bake::texture) && (are_in_texture || is_gltf)))
+    return;
+  input.models.whole().colors.clear();
+  input.models.whole().face_colors.clear();
 }
 
 /// The models in the format that the extension of the output names, with the texture of all. It is inside of
@@ -160,6 +180,15 @@ void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_so
 {
   const fs::path output = options.output;
   const std::vector<std::string> pngs = pngs_of(textures);
+  if (options.keeps_document() && pngs.size() == 1) {
+    Atlas::Gltf_changes changes;
+    changes.uv_set = options.uv_set;
+    changes.has_base_factors = options.has(Bake::texture);
+    if (options.has(Bake::texture) || options.has(Bake::colors))
+      changes.base_color_png = pngs[0];
+    outputs.add(output, Atlas::glb_bytes(options.meshes.front(), models.whole(), changes));
+    return;
+  }
   if (output.extension() == ".glb" && models.number_of_parts() == 1) {
     outputs.add(output, Atlas::glb_bytes(models.whole(), pngs));
     return;
@@ -181,7 +210,8 @@ void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_so
   for (std::size_t i = 0; i < files.size(); ++i)
     outputs.add(files[i], files.size() == 1 ? bytes_of(models.whole()) : bytes_of(models.part(i)));
   if (output.extension() == ".obj")
-    outputs.add(library, Atlas::mtl_text(models.whole(), picture));
+    outputs.add(library,
+                Atlas::mtl_text(models.whole(), picture, Atlas::Page_style::udim, has_alpha(textures)));
   add_textures(outputs, output, pngs, textures.suffix);
 }
 
@@ -232,6 +262,31 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
 
 } // namespace
 
+bool is_stacked_wrongly(const Options& options, const Input& input, const Atlas::Atlas_report& report)
+{
+  constexpr double tolerance = 0.02; // borders of charts that are equal need not be, texel by texel
+  const Atlas::Polygon_soup& model = input.models.whole();
+  const Atlas::Image_size size(report.page_width, report.page_height);
+  const auto differs = [&](const Atlas::Bake_shader& shader) {
+    for (Atlas::Index page = 0; page < model.number_of_pages(); ++page)
+      if (Atlas::differing_share(model, size, shader, page) > tolerance)
+        return true;
+    return false;
+  };
+  return report.stacked_charts > 0 &&
+         ((options.has(Bake::texture) && differs(Atlas::texture_shader(model, size, input.source))) ||
+          (options.has(Bake::colors) && differs(Atlas::vertex_color_shader(model))));
+}
+
+void check_outputs(const Options& options)
+{
+  for (const std::string& model : options.models())
+    Atlas::internal::check_can_write(model);
+  for (const std::string& file : {options.report, options.picture})
+    if (!file.empty())
+      Atlas::internal::check_can_write(file);
+}
+
 std::vector<std::string> write_outputs(const Options& options, Input& input,
                                        const Atlas::Atlas_report& report, const Atlas::Execution& execution)
 {
@@ -244,8 +299,7 @@ std::vector<std::string> write_outputs(const Options& options, Input& input,
   } else {
     const Baker bake(options, model, input.source, execution);
     const Textures textures = texture_of_model(options, model, bake);
-    if (options.has(Bake::colors))
-      model.colors.clear(); // they are in the texture now
+    clear_baked_colors(options, input);
     add_models(outputs, options, input.models, textures);
     for (const Bake what : {Bake::normals, Bake::occlusion})
       if (options.has(what)) {

@@ -37,6 +37,8 @@ struct Options : Packing_options
   bool keeps_uv = false, separates_materials = false, is_straightened = false, turns_faces = false,
        has_pictures = false, is_quiet = false, shows_progress = false;
   double time_limit = 0; ///< seconds; 0: none
+  int uv_set = 0;        ///< the number of the new coordinates in a glTF document
+  double weld = 0;       ///< vertices nearer than this share of the model's size are one; 0: only equal ones
 
   bool has(Bake bake) const;
   /// The meshes, for messages: their files as they were given.
@@ -45,6 +47,8 @@ struct Options : Packing_options
   std::string title() const;
   /// The file of each mesh's model. One mesh has the name of the output; of several, each adds its own.
   std::vector<std::string> models() const;
+  /// Whether a glTF document comes in and goes out.
+  bool keeps_document() const;
 };
 
 /// Declares the options of the command line.
@@ -79,6 +83,12 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
                                Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
                                const std::function<bool(Atlas::Stage, double)>& progress);
 
+/// Finds out whether the outputs can be written, before the work. \throw Atlas::IO_error
+void check_outputs(const Options& options);
+
+/// Whether charts that share their place show different colours of what is to be baked.
+bool is_stacked_wrongly(const Options& options, const Input& input, const Atlas::Atlas_report& report);
+
 /// Writes everything or nothing; nothing once cancelled. Returns the names of what has been written.
 std::vector<std::string> write_outputs(const Options& options, Input& input,
                                        const Atlas::Atlas_report& report, const Atlas::Execution& execution);
@@ -102,5 +112,9 @@ void print_beyond_bound(const Atlas::Atlas_report& report);
 /// Tells why there may be so many charts.
 void print_disagreement(const Options& options, const Atlas::Polygon_soup& model,
                         const Atlas::Atlas_report& report);
+
+/// Tells of edges that would hang together if vertices near each other were one.
+void print_unwelded(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Surface& surface,
+                    const Atlas::Atlas_report& report);
 
 #endif

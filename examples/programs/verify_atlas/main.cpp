@@ -3,6 +3,7 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/image/Image.h>
+#include <Atlas/image/internal/text_bytes.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/report/write_report.h>
 #include <Atlas/validation/certify.h>
@@ -120,7 +121,7 @@ int main(int argc, char** argv)
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? VALID : COULD_NOT_TELL;
   } catch (const std::exception& error) {
-    std::cerr << "verify_atlas: " << error.what() << '\n';
+    std::cerr << "verify_atlas: " << Atlas::internal::printable(error.what()) << '\n';
     return COULD_NOT_TELL;
   }
 }

@@ -1,0 +1,140 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# What other programs write, and what is baked of it. Usage: files_test.sh PROGRAM
+source "$(dirname "$0")/cli_helpers.sh"
+cd "$folder" || exit 2
+
+# make CODE LINES MESH ARGUMENTS...: the exit code and the number of lines on stderr; the model is a.*
+make() {
+  local code=$1 lines=$2
+  shift 2
+  run "$code" "$@" --texture-size 64 --threads 1
+  [ "$(wc -l <stderr)" -eq "$lines" ] || fail "$(wc -l <stderr) lines on stderr instead of $lines: $* ($(cat stderr))"
+}
+
+# picture COLOR NAME: a picture of 4 x 4 texels, of which the left half is red and the right half COLOR, r g b [a]
+picture() {
+  python3 - "$1" "$2" <<'PNG'
+import struct, sys, zlib
+right = bytes(int(c) for c in sys.argv[1].split())
+left = bytes([255, 0, 0, 255])[:len(right)]
+rows = b"".join(b"\0" + left * 2 + right * 2 for _ in range(4))
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+open(sys.argv[2], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 4, 4, 8, 6 if len(right) == 4 else 2, 0, 0, 0))
+                              + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+PNG
+}
+
+# colors NAME: the colours of a PNG file of RGB or RGBA without a filter but those of rows, sorted, each once
+colors() {
+  python3 - "$1" <<'PNG'
+import struct, sys, zlib
+data, at, idat = open(sys.argv[1], "rb").read(), 8, b""
+while at < len(data):
+    size, kind = struct.unpack(">I4s", data[at:at + 8])
+    if kind == b"IHDR":
+        width, height, _, color = struct.unpack(">IIBB", data[at + 8:at + 18])
+    if kind == b"IDAT":
+        idat += data[at + 8:at + 8 + size]
+    at += size + 12
+n, raw, before, result = (4 if color == 6 else 3), zlib.decompress(idat), None, set()
+for y in range(height):
+    row = bytearray(raw[y * (n * width + 1):(y + 1) * (n * width + 1)])
+    kind, row = row[0], row[1:]
+    for i in range(len(row)):
+        a = row[i - n] if i >= n else 0
+        b = before[i] if before else 0
+        c = before[i - n] if before and i >= n else 0
+        p = a + b - c
+        paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+        row[i] = (row[i] + [0, a, b, (a + b) // 2, paeth][kind]) % 256
+    before = row
+    result |= {tuple(row[n * x:n * x + n]) for x in range(width)}
+print(*sorted(result))
+PNG
+}
+
+# Outputs are tried before the work: nothing is read, even.
+make 3 1 missing.obj -o no/such/folder.obj
+grep -q 'no/such/folder.obj: cannot write' stderr || fail "read before it is known that nothing can be written: $(cat stderr)"
+make 3 1 missing.obj -o a.obj --report no/r.json
+grep -q 'no/r.json' stderr || fail "the report is tried too late: $(cat stderr)"
+[ -z "$(find . -name '*.part')" ] || fail "a file is left behind"
+
+# Errors are text, whatever the file is.
+printf 'v 0 0 0\nf 1 1 \xff\x1b[2J\n' >raw.obj
+make 3 1 raw.obj -o a.obj
+grep -q '\\xFF\\x1B' stderr && ! LC_ALL=C grep -q $'[\xff\x1b]' stderr || fail "raw bytes on the terminal"
+
+# Colours of faces, and of materials without coordinates.
+printf 'OFF4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n3 0 1 3 0 0 255\n3 1 2 3 255 0 0\n3 2 0 3 0 0 255\n' >face.off
+make 0 0 face.off -o a.obj --bake colors --hard-angle 30
+[ "$(colors a_color.png)" = "(0, 0, 255) (255, 0, 0)" ] || fail "colours of faces: $(colors a_color.png)"
+printf 'newmtl r\nKd 1 0 0\nnewmtl b\nKd 0 0 1\n' >plain.mtl
+printf 'mtllib plain.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl r\nf 1 2 3\nusemtl b\nf 2 4 3\n' >plain.obj
+make 0 0 plain.obj -o a.obj --bake texture
+[ "$(colors a_texture.png)" = "(0, 0, 255) (255, 0, 0)" ] || fail "colours of materials: $(colors a_texture.png)"
+
+# Libraries and pictures that are not there are told of.
+picture '0 0 255' tex.png
+printf 'newmtl m\nmap_Kd C:\\me\\TEX.PNG\nnewmtl gone\nKd 0 1 0\nmap_Kd gone.png\n' >a_lib.mtl
+printf 'mtllib none.mtl A_LIB.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\nusemtl gone\nf 1/1 3/3 4/4\n' >lib.obj
+make 0 2 lib.obj -o a.obj --bake texture
+grep -q "no material library 'none.mtl'" stderr && grep -q "no picture 'gone.png'" stderr || fail "what is missing: $(cat stderr)"
+case $(colors a_texture.png) in *'(0, 0, 255)'*'(0, 255, 0)'*'(255, 0, 0)'*) ;; *) fail "colours: $(colors a_texture.png)" ;; esac
+make 0 0 lib.obj -o a.obj --bake texture --quiet
+
+# Alpha goes along, into the material too. After a bake a glTF file has no colours of vertices.
+picture '255 255 255 0' leaf.png
+printf 'newmtl m\nmap_Kd leaf.png\nmap_d leaf.png\n' >leaf.mtl
+printf 'mtllib leaf.mtl\nv 0 0 0 .5 .5 .5\nv 1 0 0 .5 .5 .5\nv 1 1 0 .5 .5 .5\nv 0 1 0 .5 .5 .5\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3 4/4\n' >leaf.obj
+make 0 0 leaf.obj -o a.obj --bake texture
+grep -q 'map_d a_texture.png' a.mtl || fail "no map_d"
+grep -q '^v 0 0 0 0.5 0.5 0.5' a.obj || fail "colours of vertices are lost"
+case $(colors a_texture.png) in *'(255, 0, 0, 255)'*'255, 0)'*) ;; *) fail "alpha: $(colors a_texture.png)" ;; esac
+make 0 0 leaf.obj -o a.glb --bake texture
+grep -aq '"alphaMode":"BLEND"' a.glb || fail "no alphaMode"
+! grep -aq 'COLOR_0' a.glb || fail "colours that multiply what has been baked"
+
+# Charts that are copies share a place only if they show the same.
+printf 'newmtl m\nmap_Kd tex.png\n' >copies.mtl
+printf 'mtllib copies.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\nvt 0.1 0\nvt .4 0\nvt .4 1\nvt 0.1 1\nvt .6 0\nvt .9 0\nvt .9 1\nvt .6 1\nusemtl m\nf 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n' >copies.obj
+make 0 1 copies.obj -o a.obj --bake texture --stack copies
+grep -q 'none are stacked' stderr || fail "no warning: $(cat stderr)"
+case $(colors a_texture.png) in *'(0, 0, 255)'*'(255, 0, 0)'*) ;; *) fail "one colour: $(colors a_texture.png)" ;; esac
+sed 's#f 5/5 6/6 7/7 8/8#f 5/1 6/2 7/3 8/4#' copies.obj >alike.obj
+make 0 0 alike.obj -o a.obj --bake texture --stack copies
+grep -q ', 1 of them on copies' stdout || fail "charts that look alike are apart: $(cat stdout)"
+make 0 0 copies.obj -o a.obj --stack copies
+grep -q ', 1 of them on copies' stdout || fail "copies are apart although nothing is baked: $(cat stdout)"
+
+# A two-sided model is two sheets; vertices that hardly miss each other are one on request.
+python3 - <<'MESHES'
+def grid(n, turned):
+    for y in range(n):
+        for x in range(n):
+            a, b, c, d = (y * (n + 1) + x + 1, y * (n + 1) + x + 2, (y + 1) * (n + 1) + x + 2, (y + 1) * (n + 1) + x + 1)
+            yield (d, c, b, a) if turned else (a, b, c, d)
+n = 6
+points = [(x, y, 0.05 * x * y) for y in range(n + 1) for x in range(n + 1)]
+with open("two.obj", "w") as f:
+    f.writelines("v %g %g %g\n" % p for p in points)
+    f.writelines("f %d %d %d %d\n" % face for turned in (False, True) for face in grid(n, turned))
+with open("torn.obj", "w") as f:
+    count = 0
+    for face in grid(n, False):
+        for v in face:
+            count += 1
+            f.write("v %.9g %.9g %.9g\n" % tuple(c + 1e-6 * (count * 7 % 11) for c in points[v - 1]))
+        f.write("f %d %d %d %d\n" % tuple(range(count - 3, count + 1)))
+MESHES
+charts() { sed -n 's/^charts *\([0-9]*\) on.*/\1/p' stdout; }
+make 0 0 two.obj -o a.obj
+[ "$(charts)" -eq 2 ] || fail "a two-sided sheet has $(charts) charts"
+make 0 1 torn.obj -o a.obj
+grep -q -e '--weld' stderr || fail "no hint: $(cat stderr)"
+make 0 0 torn.obj -o a.obj --weld 1e-5
+[ "$(charts)" -eq 1 ] || fail "a welded sheet has $(charts) charts"
+[ "$(grep -c '^v ' a.obj)" -eq 144 ] && grep '^v ' torn.obj | cmp -s - <(grep '^v ' a.obj) || fail "vertices have moved"
+finish
