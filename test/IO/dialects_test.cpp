@@ -188,7 +188,7 @@ TEST(Ply_dialects, strips_of_triangles)
   const std::string header =
       replaced(replaced(ply_header("int int vertex_indices"), "face 2", "face 1"), "face", "tristrips");
   const Polygon_soup soup =
-      read_text("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n12 1 2 0 3 -1 0 1 2 -1 1 1 2 0\n");
+      read_text("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n13 1 2 0 3 -1 0 1 2 -1 1 1 2 0\n");
   EXPECT_EQ(faces_of(soup), (Faces{{1, 2, 0}, {0, 2, 3}, {0, 1, 2}, {2, 1, 0}}));
 }
 
