@@ -100,6 +100,7 @@ TEST(Bake_vertex_colors, triangles_between_texel_centres_are_seen)
 TEST(Bake_vertex_colors, colours_of_faces_count_where_vertices_are_white_or_have_none)
 {
   Polygon_soup soup = square();
+  soup.colors.clear();
   soup.face_colors = {{1, 0, 0, 1}};
   EXPECT_EQ(bake_vertex_colors(soup, 4).pixels, std::vector<Color>(16, Color{255, 0, 0}));
   soup.colors.assign(4, {1, 1, 1, 1});

@@ -334,7 +334,7 @@ TEST(Transfer_texture, factors_and_colours_of_vertices_multiply_light)
   EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{61, 61, 61}));
   source.textures[0].image = Image();
   source.textures[0].factor = {.5, 1, 0};
-  EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{61, 128, 0}));
+  EXPECT_EQ(transfer_texture(soup, 4, source).pixels[0], (Color{60, 128, 0}));
 }
 
 TEST(Read_textures, gltf_moves_coordinates)
