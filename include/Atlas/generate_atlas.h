@@ -24,8 +24,8 @@ template <typename... More>
 using Atlas_names =
     Only_names<texture_size_t, gutter_t, page_options_t, mode_t, merge_options_t, max_charts_t,
                min_chart_texels_t, min_coverage_t, seam_exchange_rate_t, min_texels_per_chart_t, hard_angle_t,
-               hide_seams_t, straighten_t, policies_t, segmentation_t, parameterizer_t, optimizer_t,
-               validator_t, splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
+               hide_seams_t, straighten_t, symmetry_t, policies_t, segmentation_t, parameterizer_t,
+               optimizer_t, validator_t, splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
 
 /// The policies of a pack.
 template <typename NamedParameters>
@@ -88,6 +88,7 @@ Atlas_request atlas_request(const NamedParameters& np)
     request.wishes.min_texels_per_chart = static_cast<double>(parameter<min_texels_per_chart_t>(np));
   read_parameter<hide_seams_t>(np, request.hiding);
   read_parameter<straighten_t>(np, request.is_straightened);
+  read_parameter<symmetry_t>(np, request.symmetry);
   request.threads = number_of_threads(np);
   read_parameter<progress_t>(np, request.progress);
   read_policies(np, request);

@@ -46,7 +46,8 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.hard_angle = options.hard_angle;
   wishes.keeps_uv = options.keeps_uv;
   wishes.separates_materials = options.separates_materials;
-  wishes.policies = policies_of(options.stages, wishes.mode, merge_options_of(wishes), options.effort);
+  wishes.policies =
+      policies_of(options.stages, wishes.mode, merge_options_of(wishes), options.symmetry, options.effort);
   wishes.rules = rules_of(options.materials, model);
   wishes.min_coverage = options.min_coverage;
   wishes.seam_exchange_rate = options.seam_exchange_rate;

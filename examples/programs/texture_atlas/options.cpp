@@ -67,6 +67,16 @@ void add_chart_options(CLI::App& app, Options& options)
   app.add_option("--hard-angle", options.hard_angle,
                  "Cut at edges where normals turn by more than so many degrees. Default: none")
       ->check(CLI::Range(0.0, 180.0));
+  app.add_option("--symmetry", options.symmetry,
+                 "Cut left and right alike: where the mesh is its own mirror image but for 0.5 % of its "
+                 "diagonal, at the best plane there is (`auto`) or at one across an axis, so are its charts")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Atlas::Symmetry>{{"off", Atlas::Symmetry::off},
+                                                                         {"auto", Atlas::Symmetry::automatic},
+                                                                         {"x", Atlas::Symmetry::x},
+                                                                         {"y", Atlas::Symmetry::y},
+                                                                         {"z", Atlas::Symmetry::z}})
+              .description("off|auto|x|y|z"));
   app.add_flag("--separate-materials", options.separates_materials,
                "Let no chart have faces of two materials");
   app.add_option(
@@ -186,7 +196,7 @@ void check_use_of_merging(const CLI::App& app, const Options& options)
     return;
   const std::string named =
       options.stages.segmentation.empty() ? "--mode paper" : "--segmentation " + options.stages.segmentation;
-  for (const char* name : {"--max-distortion", "--max-charts", "--min-chart-texels"})
+  for (const char* name : {"--max-distortion", "--max-charts", "--min-chart-texels", "--symmetry"})
     if (app.count(name) > 0)
       throw CLI::ValidationError(name, "has no meaning with " + named + ", whose charts are not merged");
 }
@@ -205,8 +215,9 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
   }
   for (const char* name :
        {"--mode", "--max-distortion", "--measure", "--max-stretch", "--max-charts", "--min-chart-texels",
-        "--hard-angle", "--straighten", "--separate-materials", "--seams", "--hide-seams", "--segmentation",
-        "--parameterizer", "--solver", "--pins", "--optimizer", "--validator", "--max-area-ratio"})
+        "--hard-angle", "--straighten", "--symmetry", "--separate-materials", "--seams", "--hide-seams",
+        "--segmentation", "--parameterizer", "--solver", "--pins", "--optimizer", "--validator",
+        "--max-area-ratio"})
     refuse(name, "--keep-uv",
            std::string("the charts of the file stay as they are, so ") + name +
                " has no meaning: leave out one of the two");

@@ -224,10 +224,11 @@ void check(const Stage_names& names)
                                              " does not begin with");
 }
 
-Policies policies_of(const Stage_names& names, Atlas_mode mode, const Merge_options& merge,
+Policies policies_of(const Stage_names& names, Atlas_mode mode, const Merge_options& merge, Symmetry symmetry,
                      Packing_effort effort)
 {
-  Policies policies = mode == Atlas_mode::paper ? paper_preset(Stencil_validator()) : preset(mode, merge);
+  Policies policies =
+      mode == Atlas_mode::paper ? paper_preset(Stencil_validator()) : preset(mode, merge, symmetry);
   if (!names.segmentation.empty())
     policies.segmentation = segmentations().at(names.segmentation);
   if (!names.parameterizer.empty() || !names.solver.empty() || !names.pins.empty())

@@ -27,6 +27,7 @@ void check(const Stage_names& names);
 
 /// The policies of a mode, with those that are named in their places.
 Atlas::Policies policies_of(const Stage_names& names, Atlas::Atlas_mode mode,
-                            const Atlas::Merge_options& merge, Atlas::Packing_effort effort);
+                            const Atlas::Merge_options& merge, Atlas::Symmetry symmetry,
+                            Atlas::Packing_effort effort);
 
 #endif

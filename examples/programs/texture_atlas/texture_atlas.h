@@ -7,6 +7,7 @@
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/pipeline/Atlas_report.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/soup/Joined_soups.h>
 #include <Atlas/soup/Polygon_soup.h>
 
@@ -25,6 +26,7 @@ struct Options : Packing_options
   std::vector<std::string> meshes; ///< files to read
   std::string output, report, picture;
   std::string mode = "standard", measure;
+  Atlas::Symmetry symmetry = Atlas::Symmetry::off;
   Stage_names stages;
   std::string seams;                                                         ///< a file of them
   std::string hiding;                                                        ///< from whom seams are hidden

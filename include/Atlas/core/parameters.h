@@ -33,6 +33,8 @@ struct straighten_t
 {};
 struct hide_seams_t
 {};
+struct symmetry_t
+{};
 struct seam_cost_map_t
 {};
 struct forbidden_seam_map_t
@@ -153,6 +155,13 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   auto straighten(const K& k) const
   {
     return with<internal::straighten_t>(k);
+  }
+  /// Whether charts are mirrored where the surface is, in the default segmentation: a `Symmetry`; default
+  /// `Symmetry::off`.
+  template <typename K>
+  auto symmetry(const K& k) const
+  {
+    return with<internal::symmetry_t>(k);
   }
   /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
   /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
@@ -282,6 +291,7 @@ template <typename K> auto seam_exchange_rate(const K& k) { return Named_paramet
 template <typename K> auto min_texels_per_chart(const K& k) { return Named_parameters<K, internal::min_texels_per_chart_t>(k); }
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
 template <typename K> auto straighten(const K& k) { return Named_parameters<K, internal::straighten_t>(k); }
+template <typename K> auto symmetry(const K& k) { return Named_parameters<K, internal::symmetry_t>(k); }
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
 template <typename K> auto hide_seams(const K& k) { return Named_parameters<K, internal::hide_seams_t>(k); }
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }

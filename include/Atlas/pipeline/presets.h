@@ -5,6 +5,7 @@
 #include <Atlas/core/Any_policies.h>
 #include <Atlas/core/Packing.h>
 #include <Atlas/core/internal/library.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/merge_charts.h>
 
 #include <limits>
@@ -96,10 +97,12 @@ struct Policies
 /// - `splitter`: `Culprit_splitter`
 /// - `packer`: `Raster_packer`
 ///
-/// \param options  when charts merge
+/// \param options   when charts merge
+/// \param symmetry  which planes are sought at which the surface is its own mirror image, so that its charts
+///                  are too (`Mirrored_segmentation`)
 /// \throws Invalid_argument if an option is out of its range, or the mode is `paper`, which needs a
 /// validator: see `paper_preset()`
-Policies preset(Atlas_mode mode, const Merge_options& options);
+Policies preset(Atlas_mode mode, const Merge_options& options, Symmetry symmetry = Symmetry::off);
 
 /// The policies of a mode with its own options.
 inline Policies preset(Atlas_mode mode = Atlas_mode::standard)

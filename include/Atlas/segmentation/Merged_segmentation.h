@@ -28,6 +28,8 @@ public:
                       const Merge_options& options = {});
 
   const Any_segmentation& base() const { return base_; }
+  const Any_parameterizer& parameterizer() const { return parameterizer_; }
+  const Any_optimizer& optimizer() const { return optimizer_; }
   const Merge_options& options() const { return options_; }
   /// Of the charts that come from merging. Splits that a flattening needs later only lower the distortion.
   Distortion_bound bound() const { return internal::bound_of(options_); }
@@ -40,6 +42,46 @@ private:
   Any_parameterizer parameterizer_;
   Any_optimizer optimizer_;
   Merge_options options_;
+};
+
+/// \brief Whether the charts of a surface that is its own mirror image are mirrored too.
+enum class Symmetry {
+  off,
+  automatic, ///< at the best plane there is: across an axis of the model, or in any direction
+  x,         ///< at a plane across this axis
+  y,
+  z
+};
+
+/// \brief Charts that are mirrored where the surface is: the charts of one half, and their mirror images.
+///
+/// A plane is sought at which the surface is its own mirror image, within half a hundredth of the diagonal of
+/// the bounding box; its mesh may be another one. The triangles on one side of it are segmented alone. The
+/// charts of the other side are their images, triangle by triangle where the mesh is symmetric, else as near
+/// as its edges allow. Charts that reach the plane go on beyond it: they are flattened for trial together
+/// with their image. The seam is on the plane only where such a chart has more than one piece of the plane,
+/// or would not keep the bound.
+///
+/// Where there is no such plane, all is as it was without. Deterministic. A model of `BoundedSegmentation`.
+/// O(n log n), and the work of `Merged_segmentation` on half the surface.
+class Mirrored_segmentation
+{
+public:
+  /// \param merged    segments halves, and surfaces without symmetry
+  /// \param symmetry  which planes come into question
+  explicit Mirrored_segmentation(Merged_segmentation merged, Symmetry symmetry = Symmetry::automatic);
+
+  const Merged_segmentation& merged() const { return merged_; }
+  Symmetry symmetry() const { return symmetry_; }
+  /// That of the merged charts.
+  Distortion_bound bound() const { return merged_.bound(); }
+
+  /// Once cancelled, returns the charts of that moment.
+  Segmentation segment(const Surface& surface, const Execution& execution) const;
+
+private:
+  Merged_segmentation merged_, half_;
+  Symmetry symmetry_;
 };
 
 /// \brief A chart for each part of the surface that is a regular grid of quadrilaterals, tubes opened along
@@ -107,6 +149,7 @@ private:
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/segmentation/internal/developable/Developable_segmentation_impl.h>
 #include <Atlas/segmentation/internal/merging/Merged_segmentation_impl.h>
+#include <Atlas/segmentation/internal/mirror/Mirrored_segmentation_impl.h>
 #include <Atlas/segmentation/internal/straight/Straight_segmentation_impl.h>
 #endif
 

@@ -86,7 +86,7 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
   return Merge_options();
 }
 
-ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
+ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symmetry symmetry)
 {
   internal::require(mode != Atlas_mode::paper, "mode",
                     "`paper` needs a validator: that of the paper is Stencil_validator, of the component "
@@ -95,7 +95,8 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options)
   const double quantile = options.measure == Distortion_measure::area_ratio ? 0 : default_density_quantile;
   Merged_segmentation curved(Variational_segmentation(), internal::trial_parameterizer(optimize),
                              Identity_optimizer(), options);
-  return {Developable_segmentation(std::move(curved), internal::trial_packer(), options.max_charts),
+  return {Developable_segmentation(Mirrored_segmentation(std::move(curved), symmetry),
+                                   internal::trial_packer(), options.max_charts),
           Isometric_parameterizer(Bijective_parameterizer(optimize)),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),

@@ -36,6 +36,7 @@ struct Atlas_request
   std::optional<std::size_t> max_charts;
   double min_chart_texels = 0;
   Page_wishes wishes;
+  Symmetry symmetry = Symmetry::off;
   double hard_angle = 0;             ///< degrees; 0: none
   std::optional<Seam_hiding> hiding; ///< from where seams shall not be seen
   bool is_straightened = false;      ///< whether grids of quadrilaterals become rectangles

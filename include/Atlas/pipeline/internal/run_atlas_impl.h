@@ -33,6 +33,7 @@ inline void check_wishes(const Atlas_request& request)
   require(!request.merge_options, "merge_options", reason);
   require(!request.max_charts, "max_charts", reason);
   require(request.min_chart_texels == 0, "min_chart_texels", reason);
+  require(request.symmetry == Symmetry::off, "symmetry", reason);
 }
 
 /// All policies as they are given, or those of the mode.
@@ -42,7 +43,7 @@ inline Policies first_policies(const Atlas_request& request)
     return *request.policies;
   if (request.mode == Atlas_mode::paper && request.validator)
     return paper_preset(*request.validator);
-  return preset(request.mode, merge_options_of(request));
+  return preset(request.mode, merge_options_of(request), request.symmetry);
 }
 
 /// The policies of the mode, and those that are given in their place.
