@@ -118,9 +118,8 @@ TEST(Mirrored_segmentation, finds_the_plane_of_a_body_in_any_place)
 {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     const Vector_3 shift(3 * scale, -2 * scale, scale);
-    const Surface surface = horned(4, rotated, [&](const Point_3& p) {
-      return Point_3(scale * rotated(p).x(), scale * rotated(p).y(), scale * rotated(p).z()) + shift;
-    });
+    const Surface surface = horned(
+        4, {}, [&](const Point_3& p) { return CGAL::ORIGIN + scale * (rotated(p) - CGAL::ORIGIN) + shift; });
     const auto plane = internal::Mirror_plane_finder(surface, Execution(1))(Symmetry::automatic);
     ASSERT_TRUE(plane);
     const Vector_3 normal = rotated(Point_3(1, 0, 0)) - CGAL::ORIGIN;
@@ -172,7 +171,7 @@ TEST(Mirrored_segmentation, seams_are_mirrored_on_meshes_that_are_not_symmetric)
 
 TEST(Mirrored_segmentation, without_symmetry_all_is_as_it_was)
 {
-  const Surface surface = horned(4);
+  const Surface surface = horned(3);
   const Segmentation plain = merged().segment(surface, Execution(1));
   for (const Symmetry symmetry : {Symmetry::off, Symmetry::y, Symmetry::z}) {
     const Segmentation g = Mirrored_segmentation(merged(), symmetry).segment(surface, Execution(1));
@@ -183,7 +182,7 @@ TEST(Mirrored_segmentation, without_symmetry_all_is_as_it_was)
 
 TEST(Mirrored_segmentation, does_not_depend_on_the_number_of_threads)
 {
-  const Surface surface = horned(4, rotated);
+  const Surface surface = horned(4);
   const Segmentation one = segment(surface, Symmetry::automatic, 1),
                      many = segment(surface, Symmetry::automatic, 4);
   EXPECT_EQ(one.chart, many.chart);
