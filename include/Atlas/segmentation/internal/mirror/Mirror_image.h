@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Before the guard: where there is no library, that header includes its definitions, and they need all of
+// this one.
+#include <Atlas/segmentation/Merged_segmentation.h>
+
 #ifndef ATLAS_SEGMENTATION_INTERNAL_MIRROR_MIRROR_IMAGE_H
 #define ATLAS_SEGMENTATION_INTERNAL_MIRROR_MIRROR_IMAGE_H
 

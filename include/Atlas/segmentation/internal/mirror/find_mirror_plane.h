@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Before the guard: where there is no library, that header includes its definitions, and they need all of
+// this one.
+#include <Atlas/segmentation/Merged_segmentation.h>
+
 #ifndef ATLAS_SEGMENTATION_INTERNAL_MIRROR_FIND_MIRROR_PLANE_H
 #define ATLAS_SEGMENTATION_INTERNAL_MIRROR_FIND_MIRROR_PLANE_H
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/internal/mirror/Triangle_tree.h>
 #include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
