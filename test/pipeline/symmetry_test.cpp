@@ -18,7 +18,7 @@ Surface body()
     const auto bump = [&](double x, double y, double z) {
       return std::exp(-10 * CGAL::squared_distance(p, Point_3(x, y, z)));
     };
-    const double r = 1 + 0.9 * (bump(0.6, 0.2, 0.7) + bump(-0.6, 0.2, 0.7)) + 0.5 * bump(0, 0.9, -0.3);
+    const double r = 1 + 2.5 * (bump(0.6, 0.2, 0.7) + bump(-0.6, 0.2, 0.7)) + 0.5 * bump(0, 0.9, -0.3);
     p = Point_3(r * p.x(), 1.3 * r * p.y(), r * p.z());
   }
   return surface_of(soup);

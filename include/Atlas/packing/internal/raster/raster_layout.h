@@ -170,7 +170,7 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
                                            const Page_task& page, const Search_budget& budget,
                                            const Execution& execution)
 {
-  if (outlines.size() == 1 && obstacles.is_empty())
+  if (outlines.size() == 1 && obstacles.is_empty() && execution.proceed(0))
     if (std::optional<Layout> alone = single_layout(outlines.charts.front(), page))
       return alone;
   std::optional<Layout> result = obstacles.is_empty()
