@@ -170,9 +170,11 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
                                            const Page_task& page, const Search_budget& budget,
                                            const Execution& execution)
 {
-  if (outlines.size() == 1 && obstacles.is_empty() && execution.proceed(0))
+  if (outlines.size() == 1 && obstacles.is_empty()) {
+    execution.proceed(); // a run that is cancelled hears of it, however short this is
     if (std::optional<Layout> alone = single_layout(outlines.charts.front(), page))
       return alone;
+  }
   std::optional<Layout> result = obstacles.is_empty()
                                      ? horizon_layout(outlines, page, Horizon_source::outline, execution)
                                      : obstacle_layout(outlines, obstacles, page, execution);
