@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -205,6 +206,24 @@ TEST(Ply_dialects, colours_of_faces_and_of_floats)
                                    replaced(replaced(rows, "255", "1"), "51", "0.2"))
                 .face_colors,
             expected);
+}
+
+TEST(Ply_dialects, elements_of_one_name_with_other_properties)
+{
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float u\nproperty float v\nproperty float red\nproperty float green\nproperty float blue\n"
+      "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\n"
+      "element face 1\nproperty list uchar int vertex_indices\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "end_header\n0 0 0 .5 0 0 1 0\n1 0 0 1 0 0 1 0\n0 1 0\n3 0 1 2\n3 0 1 2 255 0 0\n";
+  const Polygon_soup soup = read_text("a.ply", text);
+  EXPECT_EQ(soup.colors, (std::vector<Color4>{{0, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 1, 1}}));
+  EXPECT_EQ(soup.face_colors, (std::vector<Color4>{{1, 1, 1, 1}, {1, 0, 0, 1}}));
+  ASSERT_EQ(soup.uv.size(), 6u);
+  EXPECT_EQ(soup.uv[1], Point_2(1, 0));
+  EXPECT_TRUE(std::isnan(soup.uv[2].x())) << "the third vertex has no coordinates";
 }
 
 TEST(Off_dialects, counts_behind_the_word_and_colours_of_faces)

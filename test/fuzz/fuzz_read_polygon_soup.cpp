@@ -56,6 +56,8 @@ void check(const Polygon_soup& soup)
     require(soup.first[f] <= soup.first[f + 1], "faces are in order");
   require(soup.uv.empty() || soup.uv.size() == corners, "coordinates per corner");
   require(soup.colors.empty() || soup.colors.size() == soup.points.size(), "colours per vertex");
+  require(soup.face_colors.empty() || soup.face_colors.size() == faces, "colours per face");
+  require(soup.face_page.empty() || soup.face_page.size() == faces, "pages per face");
   require(soup.corner_normal.empty() || soup.corner_normal.size() == corners, "normals per corner");
   require(soup.face_material.empty() || soup.face_material.size() == faces, "materials per face");
   require(soup.face_group.empty() || soup.face_group.size() == faces, "groups per face");

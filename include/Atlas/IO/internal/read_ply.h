@@ -194,17 +194,33 @@ private:
     const int u = element.find({"texture_u", "texture_s", "u", "s"}),
               v = element.find({"texture_v", "texture_t", "v", "t"});
     const Color_columns color = color_columns(element);
+    // A file may have several elements of this name, not all with the same properties.
+    const bool has_normals = nx >= 0 && ny >= 0 && nz >= 0, has_uv = u >= 0 && v >= 0;
+    fill_vertices(color.is_complete(), has_normals, has_uv);
     soup_.points.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       read_row(element, i, rows);
       soup_.points.emplace_back(at(x), at(y), at(z));
-      if (nx >= 0 && ny >= 0 && nz >= 0)
+      if (has_normals)
         soup_.normals.emplace_back(at(nx), at(ny), at(nz));
       if (color.is_complete())
         add_color(color, soup_.colors);
-      if (u >= 0 && v >= 0)
+      if (has_uv)
         vertex_uv_.emplace_back(at(u), at(v));
     }
+    fill_vertices(!soup_.colors.empty(), !soup_.normals.empty(), !vertex_uv_.empty());
+  }
+
+  /// Gives the vertices so far that have no value of these properties the one that says so.
+  void fill_vertices(bool has_colors, bool has_normals, bool has_uv)
+  {
+    const std::size_t n = soup_.points.size();
+    if (has_colors)
+      soup_.colors.resize(n, {1, 1, 1, 1});
+    if (has_normals)
+      soup_.normals.resize(n, Vector_3(0, 0, 0));
+    if (has_uv)
+      vertex_uv_.resize(n, Point_2(NAN, NAN));
   }
 
   static Index vertex(double v, const Ply_rows& rows)
@@ -266,8 +282,13 @@ private:
     const int indices = indices_of(element), wedge = element.find({"texcoord"}),
               page = element.find({"texnumber"});
     const Color_columns color = color_columns(element);
+    // Strips and faces before these may have none of it.
     if (wedge >= 0)
-      soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN)); // those of strips before
+      soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN));
+    if (color.is_complete())
+      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, 1});
+    if (page >= 0)
+      soup_.face_page.resize(soup_.number_of_faces(), 0);
     soup_.first.reserve(element.count + 1);
     for (std::size_t i = 0; i < element.count; ++i) {
       read_row(element, i, rows);
@@ -319,7 +340,7 @@ private:
     const auto exists = [&](Index v) { return v < soup_.points.size(); };
     scale_colors(soup_.colors);
     scale_colors(soup_.face_colors);
-    // Strips have none of these.
+    // Strips and faces behind the others.
     if (!soup_.face_colors.empty())
       soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, 1});
     if (!soup_.face_page.empty())
