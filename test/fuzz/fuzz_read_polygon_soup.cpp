@@ -37,7 +37,7 @@ std::filesystem::path place_of_file(const char* extension)
 {
   const std::filesystem::path shared = "/dev/shm";
   const auto folder = std::filesystem::is_directory(shared) ? shared : std::filesystem::temp_directory_path();
-  return folder / ("atlas-fuzz-" + std::to_string(::getpid()) + extension);
+  return folder / ("atlas-fuzz-" + std::to_string(::getpid() + 10'000'000) + extension);
 }
 
 template <typename Values>
