@@ -3,7 +3,7 @@
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/image/internal/text_bytes.h>
 
-#include "temporary_folder.h"
+#include "soups.h"
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -19,32 +19,13 @@ using namespace Atlas;
 
 namespace {
 
-Polygon_soup read_text(const std::string& name, const std::string& text)
-{
-  const test::Temporary_folder folder;
-  return read_polygon_soup(folder.write(name, text));
-}
-
-std::vector<std::vector<Index>> faces_of(const Polygon_soup& soup)
-{
-  std::vector<std::vector<Index>> result;
-  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
-    result.emplace_back(soup.face(f).begin(), soup.face(f).end());
-  return result;
-}
-
-using Faces = std::vector<std::vector<Index>>;
+using test::append;
+using test::Faces;
+using test::faces_of;
+using test::read_text;
 using Color4 = std::array<float, 4>;
 const std::vector<Point_3> square_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const Faces square_faces = {{0, 1, 2}, {0, 2, 3}};
-
-template <typename Number>
-void append(std::string& bytes, Number value)
-{
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value); // tests run on machines that begin with the low byte
-  bytes.append(raw, sizeof raw);
-}
 
 /// The square as binary STL. \param attributes  of the two triangles
 std::string binary_square(std::string header, std::uint32_t count,
@@ -242,6 +223,7 @@ TEST(Off_dialects, counts_behind_the_word_and_colours_of_faces)
   EXPECT_EQ(colors("255 0 51", "0 255 0 0"), (std::vector<Color4>{{1, 0, .2f, 1}, {0, 1, 0, 0}}));
   EXPECT_EQ(colors("1 0 0.2 1", ""), (std::vector<Color4>{{1, 0, .2f, 1}, {1, 1, 1, 1}}));
   EXPECT_EQ(colors("", "0 1 0"), (std::vector<Color4>{{1, 1, 1, 1}, {0, 1, 0, 1}}));
+  EXPECT_EQ(colors("", "255 1 1"), (std::vector<Color4>{{1, 1, 1, 1}, {1, 1.f / 255, 1.f / 255, 1}}));
   EXPECT_TRUE(colors("7", "8").empty()); // places in a table
 }
 
@@ -279,6 +261,20 @@ TEST(Obj_dialects, colours_of_255_and_of_zbrush)
   const Polygon_soup painted =
       read_text("a.obj", obj_square + "#The following MRGB block\n#MRGB ffff0033ff00FF00\n#MRGB 00000000\n");
   EXPECT_EQ(painted.colors, (std::vector<Color4>{{1, 0, .2f, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}}));
+}
+
+TEST(Dialects, colours_that_are_not_told_are_white_beside_any_others)
+{
+  const Polygon_soup obj = read_text("a.obj", "v 0 0 0\nv 1 0 0 0 255 0\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<Color4> expected{{1, 1, 1, 1}, {0, 1, 0, 1}, {1, 1, 1, 1}};
+  EXPECT_EQ(obj.colors, expected);
+  const std::string position = "property float x\nproperty float y\nproperty float z\n";
+  const Polygon_soup ply = read_text(
+      "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + position + "element vertex 1\n" + position +
+                   "property float red\nproperty float green\nproperty float blue\nelement vertex 1\n" +
+                   position + "element face 1\nproperty list int int vertex_indices\nend_header\n" +
+                   "0 0 0\n1 0 0 0 255 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(ply.colors, expected);
 }
 
 TEST(Text_bytes, are_shown_without_what_is_no_text)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Atlas/IO/read_polygon_soup.h>
 
-#include "temporary_folder.h"
+#include "soups.h"
 #include <array>
 #include <bit>
 #include <cmath>
@@ -15,12 +15,6 @@
 using namespace Atlas;
 
 namespace {
-
-Polygon_soup read_text(const std::string& name, const std::string& text)
-{
-  const test::Temporary_folder folder;
-  return read_polygon_soup(folder.write(name, text));
-}
 
 /// The error of a broken file, without the folder.
 std::string error_of(const std::string& name, const std::string& text)
@@ -38,27 +32,12 @@ std::string error_of(const std::string& name, const std::string& text)
   return "no error";
 }
 
-std::vector<std::vector<Index>> faces_of(const Polygon_soup& soup)
-{
-  std::vector<std::vector<Index>> result;
-  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
-    result.emplace_back(soup.face(f).begin(), soup.face(f).end());
-  return result;
-}
-
-using Faces = std::vector<std::vector<Index>>;
+using test::append;
+using test::Faces;
+using test::faces_of;
+using test::read_text;
 const Faces one_triangle = {{0, 1, 2}};
 const std::vector<Point_3> corner_points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-
-template <typename Number>
-void append(std::string& bytes, Number value, std::endian order = std::endian::little)
-{
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  if (order != std::endian::native)
-    std::reverse(raw, raw + sizeof raw);
-  bytes.append(raw, sizeof raw);
-}
 
 std::string binary_stl(std::string header, std::uint32_t count)
 {

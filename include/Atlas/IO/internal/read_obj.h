@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_READ_OBJ_H
 #define ATLAS_IO_INTERNAL_READ_OBJ_H
 
+#include <Atlas/IO/internal/scale_colors.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
@@ -104,7 +105,7 @@ private:
     while (n < 4 && !scanner_.at_end())
       extra[n++] = static_cast<float>(scanner_.number("vertex attribute"));
     if (n >= 3) {
-      soup_.colors.resize(soup_.points.size() - 1, {1, 1, 1, 1});
+      soup_.colors.resize(soup_.points.size() - 1, untold_color);
       soup_.colors.push_back({extra[0], extra[1], extra[2], extra[3]});
     }
   }
@@ -177,26 +178,13 @@ private:
     soup_.face_group.push_back(group_);
   }
 
-  /// Colours are in [0, 1], or, where one is larger than 1, in [0, 255].
-  void finish_colors()
-  {
-    if (soup_.colors.empty()) {
-      soup_.colors = std::move(painted_);
-    } else {
-      float largest = 0;
-      for (const auto& [r, g, b, a] : soup_.colors)
-        largest = std::max({largest, r, g, b});
-      for (auto& color : soup_.colors)
-        for (std::size_t k = 0; k < 4 && largest > 1; ++k)
-          color[k] = k < 3 || color[k] > 1 ? color[k] / 255 : color[k];
-    }
-    if (!soup_.colors.empty())
-      soup_.colors.resize(soup_.points.size(), {1, 1, 1, 1});
-  }
-
   void finish()
   {
-    finish_colors();
+    if (soup_.colors.empty())
+      soup_.colors = std::move(painted_);
+    if (!soup_.colors.empty())
+      soup_.colors.resize(soup_.points.size(), untold_color);
+    scale_colors(soup_.colors);
     if (!corner_texture_.empty()) {
       corner_texture_.resize(soup_.vertices.size(), no_index);
       const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_READ_OFF_H
 #define ATLAS_IO_INTERNAL_READ_OFF_H
 
+#include <Atlas/IO/internal/scale_colors.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
@@ -92,25 +93,22 @@ private:
 
   void read_color()
   {
-    std::array<float, 4> color{1, 1, 1, opaque};
-    for (std::size_t n = 0; n < 4 && !(n == 3 && scanner_.at_end()); ++n) {
+    std::array<float, 4> color{1, 1, 1, untold};
+    for (std::size_t n = 0; n < 4 && !(n == 3 && scanner_.at_end()); ++n)
       color[n] = static_cast<float>(scanner_.number("colour"));
-      largest_ = std::max(largest_, color[n]);
-    }
     soup_.colors.push_back(color);
   }
 
   /// Three or four numbers behind the corners are a colour; one is the place in a table that is not there.
   void read_face_color()
   {
-    std::array<float, 4> color{1, 1, 1, opaque};
+    std::array<float, 4> color{1, 1, 1, untold};
     std::size_t n = 0;
     for (double x = 0; n < 4 && scanner_.number_here(x); ++n)
       color[n] = static_cast<float>(x);
     if (n < 3)
       return;
-    largest_of_faces_ = std::max({largest_of_faces_, color[0], color[1], color[2], color[3]});
-    soup_.face_colors.resize(soup_.number_of_faces() - 1, {1, 1, 1, unset});
+    soup_.face_colors.resize(soup_.number_of_faces() - 1, untold_color);
     soup_.face_colors.push_back(color);
   }
 
@@ -127,24 +125,12 @@ private:
     read_face_color();
   }
 
-  /// Colours are in [0, 1], or, where one is larger than 1, in [0, 255].
-  static void finish_colors(std::vector<std::array<float, 4>>& colors, float largest)
-  {
-    for (auto& color : colors) {
-      if (color[3] == unset)
-        color = {1, 1, 1, 1};
-      else
-        for (std::size_t k = 0; k < 4; ++k)
-          color[k] = color[k] == opaque ? 1 : largest > 1 ? color[k] / 255 : color[k];
-    }
-  }
-
   void finish()
   {
-    finish_colors(soup_.colors, largest_);
     if (!soup_.face_colors.empty())
-      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, unset});
-    finish_colors(soup_.face_colors, largest_of_faces_);
+      soup_.face_colors.resize(soup_.number_of_faces(), untold_color);
+    scale_colors(soup_.colors);
+    scale_colors(soup_.face_colors);
     const auto exists = [&](Index v) { return v < vertices_; };
     if (has_texture_)
       for (const Index v : soup_.vertices)
@@ -157,8 +143,6 @@ private:
   Text_scanner scanner_;
   std::size_t text_size_, vertices_ = 0, faces_ = 0;
   bool has_texture_ = false, has_colors_ = false, has_normals_ = false;
-  static constexpr float opaque = -1, unset = -2; ///< alphas that the file does not tell
-  float largest_ = 0, largest_of_faces_ = 0;
   std::vector<Point_2> texture_;
   Polygon_soup soup_;
 };

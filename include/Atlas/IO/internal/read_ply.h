@@ -3,6 +3,7 @@
 #define ATLAS_IO_INTERNAL_READ_PLY_H
 
 #include <Atlas/IO/internal/Ply_rows.h>
+#include <Atlas/IO/internal/scale_colors.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
@@ -174,17 +175,6 @@ private:
     colors.push_back(color);
   }
 
-  /// Floats beyond 1 are in [0, 255].
-  static void scale_colors(std::vector<std::array<float, 4>>& colors)
-  {
-    float largest = 0;
-    for (const auto& [r, g, b, a] : colors)
-      largest = std::max({largest, r, g, b});
-    for (auto& color : colors)
-      for (std::size_t k = 0; k < 4 && largest > 1; ++k)
-        color[k] = k < 3 || color[k] > 1 ? color[k] / 255 : color[k];
-  }
-
   void read_vertices(const Ply_element& element, Ply_rows& rows)
   {
     const int x = element.find({"x"}), y = element.find({"y"}), z = element.find({"z"});
@@ -216,7 +206,7 @@ private:
   {
     const std::size_t n = soup_.points.size();
     if (has_colors)
-      soup_.colors.resize(n, {1, 1, 1, 1});
+      soup_.colors.resize(n, untold_color);
     if (has_normals)
       soup_.normals.resize(n, Vector_3(0, 0, 0));
     if (has_uv)
@@ -286,7 +276,7 @@ private:
     if (wedge >= 0)
       soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN));
     if (color.is_complete())
-      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, 1});
+      soup_.face_colors.resize(soup_.number_of_faces(), untold_color);
     if (page >= 0)
       soup_.face_page.resize(soup_.number_of_faces(), 0);
     soup_.first.reserve(element.count + 1);
@@ -338,11 +328,11 @@ private:
   void finish()
   {
     const auto exists = [&](Index v) { return v < soup_.points.size(); };
-    scale_colors(soup_.colors);
-    scale_colors(soup_.face_colors);
     // Strips and faces behind the others.
     if (!soup_.face_colors.empty())
-      soup_.face_colors.resize(soup_.number_of_faces(), {1, 1, 1, 1});
+      soup_.face_colors.resize(soup_.number_of_faces(), untold_color);
+    scale_colors(soup_.colors);
+    scale_colors(soup_.face_colors);
     if (!soup_.face_page.empty())
       soup_.face_page.resize(soup_.number_of_faces(), 0);
     if (!soup_.uv.empty())
