@@ -5,6 +5,7 @@
 #include <Atlas/image/internal/Binary_scanner.h>
 #include <Atlas/image/internal/Text_scanner.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -153,6 +154,26 @@ private:
   bool is_text_, has_free_rows_;
   Binary_scanner binary_;
 };
+
+/// The places of red, green, blue and alpha in the rows of an element; the last may be -1.
+struct Ply_colors
+{
+  std::array<int, 4> at{-1, -1, -1, -1};
+  double range = 1; ///< the value of full colour; that of floats is 1 or 255, which only the values tell
+  bool is_complete() const { return at[0] >= 0 && at[1] >= 0 && at[2] >= 0; }
+};
+
+inline Ply_colors ply_colors(const Ply_element& element)
+{
+  Ply_colors result;
+  result.at = {element.find({"red", "r", "diffuse_red"}), element.find({"green", "g", "diffuse_green"}),
+               element.find({"blue", "b", "diffuse_blue"}), element.find({"alpha", "a", "diffuse_alpha"})};
+  if (!result.is_complete())
+    return result;
+  const Ply_type t = element.properties[static_cast<std::size_t>(result.at[0])].type;
+  result.range = t == Ply_type::float32 || t == Ply_type::float64 ? 1 : t == Ply_type::uint16 ? 65535 : 255;
+  return result;
+}
 
 } // namespace Atlas::internal
 

@@ -146,27 +146,7 @@ private:
     return property < 0 || row_[property].empty() ? 0 : row_[property].front();
   }
 
-  /// The places of red, green, blue and alpha in the rows of an element; the last may be -1.
-  struct Color_columns
-  {
-    std::array<int, 4> at{-1, -1, -1, -1};
-    double range = 1; ///< the value of full colour; that of floats is 1 or 255, which only the values tell
-    bool is_complete() const { return at[0] >= 0 && at[1] >= 0 && at[2] >= 0; }
-  };
-
-  static Color_columns color_columns(const Ply_element& element)
-  {
-    Color_columns result;
-    result.at = {element.find({"red", "r", "diffuse_red"}), element.find({"green", "g", "diffuse_green"}),
-                 element.find({"blue", "b", "diffuse_blue"}), element.find({"alpha", "a", "diffuse_alpha"})};
-    if (!result.is_complete())
-      return result;
-    const Ply_type t = element.properties[static_cast<std::size_t>(result.at[0])].type;
-    result.range = t == Ply_type::float32 || t == Ply_type::float64 ? 1 : t == Ply_type::uint16 ? 65535 : 255;
-    return result;
-  }
-
-  void add_color(const Color_columns& columns, std::vector<std::array<float, 4>>& colors) const
+  void add_color(const Ply_colors& columns, std::vector<std::array<float, 4>>& colors) const
   {
     std::array<float, 4> color{1, 1, 1, 1};
     for (std::size_t k = 0; k < 4; ++k)
@@ -183,7 +163,7 @@ private:
     const int nx = element.find({"nx"}), ny = element.find({"ny"}), nz = element.find({"nz"});
     const int u = element.find({"texture_u", "texture_s", "u", "s"}),
               v = element.find({"texture_v", "texture_t", "v", "t"});
-    const Color_columns color = color_columns(element);
+    const Ply_colors color = ply_colors(element);
     // A file may have several elements of this name, not all with the same properties.
     const bool has_normals = nx >= 0 && ny >= 0 && nz >= 0, has_uv = u >= 0 && v >= 0;
     fill_vertices(color.is_complete(), has_normals, has_uv);
@@ -271,7 +251,7 @@ private:
   {
     const int indices = indices_of(element), wedge = element.find({"texcoord"}),
               page = element.find({"texnumber"});
-    const Color_columns color = color_columns(element);
+    const Ply_colors color = ply_colors(element);
     // Strips and faces before these may have none of it.
     if (wedge >= 0)
       soup_.uv.resize(soup_.number_of_corners(), Point_2(NAN, NAN));
