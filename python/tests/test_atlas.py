@@ -2,6 +2,7 @@
 """Several meshes, options, progress and cancelling, packing, verifying, baking."""
 
 import os
+import signal
 import threading
 import time
 
@@ -223,6 +224,21 @@ def test_cancelling():
     with pytest.raises(TimeoutError):
         atlas.generate(time_limit=1e-9)
     assert atlas.generate(time_limit=600)["is_valid"]
+
+
+def test_ctrl_c_ends_the_work():
+    atlas = atlas_uv.Atlas()
+    atlas.add_mesh(*torus(600, 300))
+    # Work in the background of a shell starts deaf to Ctrl-C.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        start = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            atlas.generate(effort="best", time_limit=60)
+        assert time.monotonic() - start < 20
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_other_threads_run_meanwhile():

@@ -258,25 +258,6 @@ TEST(Developable_segmentation, holes_need_no_seam)
   }
 }
 
-TEST(Developable_segmentation, curved_surfaces_are_left_alone)
-{
-  struct Record
-  {
-    std::size_t* triangles;
-    Segmentation segment(const Surface& surface, const Execution&) const
-    {
-      *triangles = surface.number_of_triangles();
-      return one_chart(surface);
-    }
-  };
-  for (const Soup& soup : {sphere(3), sphere(4), torus(40, 30), torus(120, 60)}) {
-    const Surface surface = surface_of(soup);
-    std::size_t asked = 0;
-    (void)Developable_segmentation(Record{&asked}, Raster_packer()).segment(surface, Execution(1));
-    EXPECT_EQ(asked, surface.number_of_triangles());
-  }
-}
-
 /// A box of 3 x 2 x 1 with round edges and corners, in `n` steps: its six faces are two triangles each.
 Soup round_box(int n)
 {

@@ -4,6 +4,7 @@
 
 #include <Atlas/core/internal/Union_find.h>
 #include <Atlas/segmentation/internal/developable/Facets.h>
+#include <Atlas/segmentation/internal/developable/curved_regions.h>
 #include <Atlas/segmentation/internal/merging/Chart_arcs.h>
 
 #include <algorithm>
@@ -24,6 +25,9 @@ inline constexpr double share_of_large_triangles = 0.04, share_of_large_facets =
                         share_of_large_pieces = 0.01;
 /// A component is hard if such facets have at least this share of its area.
 inline constexpr double share_of_hard_components = 0.25;
+/// Smooth pieces of more facets are not hard. The time for nets grows with the square of that number, and
+/// flattening unrolls what is that finely tessellated just as well.
+inline constexpr Index most_facets_in_piece = 10'000;
 
 /// \brief Which facets belong to hard, developable parts of a surface, and across which of its edges these
 /// bend smoothly.
@@ -77,15 +81,33 @@ private:
           is_smooth_end_[v] = 1;
       }
     }
+    std::vector<double> defect(n);
+    std::vector<std::uint8_t> is_flat(n, 0), is_excused(n, 0);
     for (Index v = 0; v < n; ++v) {
-      const double defect = std::abs(2 * CGAL_PI - sum[v]);
-      const bool is_flat =
-          defect * length[v] < defect_per_squared_bend * bend[v] * bend[v] * length[v] + noise * edges[v];
-      const bool is_apex = defect > defect_of_apex * squares[v];
-      if (is_flat || is_apex)
-        is_smooth_end_[v] = 1;
-      is_apex_[v] = is_apex && !is_flat && edges[v] >= 2 * least_valence_of_apex;
+      defect[v] = 2 * CGAL_PI - sum[v];
+      const double allowed = defect_per_squared_bend * bend[v] * bend[v] * length[v],
+                   found = std::abs(defect[v]) * length[v];
+      is_flat[v] = found < allowed + noise * edges[v];
+      is_excused[v] = is_flat[v] && !is_smooth_end_[v] && found >= allowed;
     }
+    withdraw_excuses(is_excused, defect, is_flat);
+    for (Index v = 0; v < n; ++v) {
+      const bool is_apex = std::abs(defect[v]) > defect_of_apex * squares[v];
+      if (is_flat[v] || is_apex)
+        is_smooth_end_[v] = 1;
+      is_apex_[v] = is_apex && !is_flat[v] && edges[v] >= 2 * least_valence_of_apex;
+    }
+  }
+
+  /// Noise excuses the defect of a vertex, but not of a whole region.
+  void withdraw_excuses(const std::vector<std::uint8_t>& is_excused, const std::vector<double>& defect,
+                        std::vector<std::uint8_t>& is_flat) const
+  {
+    const std::vector<std::uint8_t> is_curved =
+        Curved_regions(surface_, vertex_, defect, is_excused).vertices();
+    for (Index v = 0; v < is_flat.size(); ++v)
+      if (is_excused[v] && is_curved[v])
+        is_flat[v] = 0;
   }
 
   void find_pieces()
@@ -120,7 +142,7 @@ private:
     const Components components = connected_components(surface_.opposite);
     const Index n = facets_.count();
     std::vector<double> whole(components.count, 0), core(components.count, 0), piece_area(n, 0);
-    std::vector<Index> triangles(n, 0), component(n);
+    std::vector<Index> triangles(n, 0), component(n), facets_in_piece(n, 0);
     std::vector<std::uint8_t> is_creased(n, 1); // all around
     for (Index h = 0; h < vertex_.size(); ++h)
       if (may_cross(surface_, h) && facet(h) != facet(surface_.opposite[h]) &&
@@ -133,6 +155,7 @@ private:
     for (Index f = 0; f < n; ++f) {
       whole[component[f]] += facets_.area[f];
       piece_area[pieces_.find(f)] += facets_.area[f];
+      ++facets_in_piece[pieces_.find(f)];
     }
     const std::vector<double> cone = areas_of_cones();
     for (Index f = 0; f < n; ++f) {
@@ -151,7 +174,8 @@ private:
     is_hard_.assign(n, 0);
     for (Index f = 0; f < n; ++f) {
       const double share = facets_.area[f] / whole[component[f]];
-      if (core[component[f]] >= share_of_hard_components * whole[component[f]])
+      if (core[component[f]] >= share_of_hard_components * whole[component[f]] &&
+          facets_in_piece[pieces_.find(f)] <= most_facets_in_piece)
         is_hard_[f] = is_clean[f] || share >= share_of_large_triangles ||
                       (triangles[f] > 1 && share >= share_of_large_facets);
     }

@@ -3,6 +3,7 @@
 #define ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_BUILDER_H
 
 #include <Atlas/core/Chart.h>
+#include <Atlas/core/Execution.h>
 #include <Atlas/core/internal/Union_find.h>
 #include <Atlas/segmentation/internal/developable/Net_placement.h>
 
@@ -43,8 +44,8 @@ public:
         begin_net(f);
   }
 
-  /// Glues along rulings, and where seams must not be.
-  void glue_rulings(double page_share)
+  /// Glues along rulings, and where seams must not be. What is not done when the run is cancelled stays open.
+  void glue_rulings(double page_share, const Execution& execution)
   {
     const auto by_length = [&](Index a, Index b) {
       return std::tie(parts_->arcs[b].rank, a) < std::tie(parts_->arcs[a].rank, b);
@@ -56,13 +57,16 @@ public:
     std::sort(order.begin(), order.end(), by_length);
     std::stable_partition(order.begin(), order.end(), [&](Index a) { return parts_->arcs[a].is_forced; });
     limit_sides(page_share);
-    for (const Index a : order)
+    for (const Index a : order) {
+      if (!may_go_on(execution))
+        return;
       if (Joint j = joint(a);
           j.is_of_two && (parts_->arcs[a].is_forced || !is_too_large(j, extent_of(j))) && fits(j))
         glue(j);
+    }
   }
 
-  void glue_creases(const Net_style& style)
+  void glue_creases(const Net_style& style, const Execution& execution)
   {
     style_ = style;
     limit_sides(style.page_share);
@@ -71,7 +75,7 @@ public:
     for (Index f = 0; f < nets_.size(); ++f)
       if (!nets_[f].facets.empty())
         push_arcs(f);
-    while (!queue_.empty()) {
+    while (!queue_.empty() && may_go_on(execution)) {
       const Entry e = queue_.top();
       queue_.pop();
       Joint j = joint(e.arc);
@@ -173,6 +177,13 @@ private:
     Index arc, version_a, version_b;
     bool operator<(const Entry& o) const { return std::tie(score, o.arc) < std::tie(o.score, arc); }
   };
+
+  /// Asks now and then.
+  bool may_go_on(const Execution& execution)
+  {
+    constexpr std::size_t steps_between = 64;
+    return ++steps_ % steps_between != 0 || execution.proceed();
+  }
 
   void begin_net(Index f)
   {
@@ -355,6 +366,7 @@ private:
   std::vector<Net> nets_;
   Net_style style_;
   std::priority_queue<Entry> queue_;
+  std::size_t steps_ = 0;
 };
 
 } // namespace Atlas::internal

@@ -39,6 +39,39 @@ struct Planar_box
   }
 };
 
+/// Whether `is_found(x, y)` for some x of `left` and y of `right` whose boxes come nearer than `gap`. Sorts
+/// `right`. O((n + m) log m + k) for k pairs whose boxes share an x.
+template <typename Boxed, typename IsFound>
+bool any_meeting(const std::vector<Boxed>& left, std::vector<Boxed>& right, double gap, IsFound is_found)
+{
+  std::sort(right.begin(), right.end(),
+            [](const Boxed& x, const Boxed& y) { return x.box.low_x < y.box.low_x; });
+  double widest = 0;
+  for (const Boxed& y : right)
+    widest = std::max(widest, y.box.high_x - y.box.low_x);
+  for (const Boxed& x : left) {
+    auto y = std::lower_bound(right.begin(), right.end(), x.box.low_x - widest - gap,
+                              [](const Boxed& i, double v) { return i.box.low_x < v; });
+    for (; y != right.end() && y->box.low_x <= x.box.high_x + gap; ++y)
+      if (x.box.meets(y->box, gap) && is_found(x, *y))
+        return true;
+  }
+  return false;
+}
+
+/// Whether an edge of the convex polygon `x`, counterclockwise, has all of `y` beyond it, at least `gap`
+/// away.
+inline bool does_edge_keep_off(const std::vector<Vec2>& x, const std::vector<Vec2>& y, double gap)
+{
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec2 a = x[i], d = x[(i + 1) % x.size()] - a;
+    const double least = gap * length(d);
+    if (least > 0 && std::all_of(y.begin(), y.end(), [&](Vec2 p) { return cross(d, p - a) <= -least; }))
+      return true;
+  }
+  return false;
+}
+
 /// A triangle of a net, counterclockwise.
 struct Flat_triangle
 {
@@ -61,22 +94,19 @@ public:
   double gap() const { return gap_; }
 
   /// \param welded  the ends of the edges along which the two are glued
-  bool do_collide(const std::vector<Flat_triangle>& left, const std::vector<Flat_triangle>& right,
+  bool do_collide(const std::vector<Flat_triangle>& left, std::vector<Flat_triangle> right,
                   const std::vector<Vec2>& welded) const
   {
-    for (const Flat_triangle& s : left)
-      for (const Flat_triangle& t : right) {
-        if (!s.box.meets(t.box, gap_))
-          continue;
-        if (s.box.meets(t.box, 0) && do_overlap(s.p, t.p))
-          return true;
-        for (int i = 0; i < 3; ++i)
-          for (int k = 0; k < 3; ++k)
-            if (s.is_border[i] && t.is_border[k] &&
-                is_too_near({s.p[i], s.p[(i + 1) % 3]}, {t.p[k], t.p[(k + 1) % 3]}, welded))
-              return true;
-      }
-    return false;
+    return any_meeting(left, right, gap_, [&](const Flat_triangle& s, const Flat_triangle& t) {
+      if (s.box.meets(t.box, 0) && do_overlap(s.p, t.p))
+        return true;
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+          if (s.is_border[i] && t.is_border[k] &&
+              is_too_near({s.p[i], s.p[(i + 1) % 3]}, {t.p[k], t.p[(k + 1) % 3]}, welded))
+            return true;
+      return false;
+    });
   }
 
 private:

@@ -96,6 +96,7 @@ private:
     Index facet;
     Rigid_motion motion;
     Planar_box box;
+    std::vector<Vec2> hull = {};
   };
 
   std::vector<Item> items(const std::vector<Index>& facets) const
@@ -129,21 +130,20 @@ private:
   {
     leave_out_distant(left, right);
     leave_out_distant(right, left);
-    std::sort(right.begin(), right.end(),
-              [](const Item& x, const Item& y) { return x.box.low_x < y.box.low_x; });
+    add_hulls(left);
+    add_hulls(right);
     const double gap = clearance_.gap();
-    double widest = 0;
-    for (const Item& y : right)
-      widest = std::max(widest, y.box.high_x - y.box.low_x);
-    for (const Item& x : left) {
-      auto y = std::lower_bound(right.begin(), right.end(), x.box.low_x - widest - gap,
-                                [](const Item& i, double v) { return i.box.low_x < v; });
-      for (; y != right.end() && y->box.low_x <= x.box.high_x + gap; ++y)
-        if (x.box.meets(y->box, gap) &&
-            clearance_.do_collide(flat_triangles(x, y->box), flat_triangles(*y, x.box), welded))
-          return true;
-    }
-    return false;
+    return any_meeting(left, right, gap, [&](const Item& x, const Item& y) {
+      return !does_edge_keep_off(x.hull, y.hull, gap) && !does_edge_keep_off(y.hull, x.hull, gap) &&
+             clearance_.do_collide(flat_triangles(x, y.box), flat_triangles(y, x.box), welded);
+    });
+  }
+
+  void add_hulls(std::vector<Item>& items) const
+  {
+    for (Item& i : items)
+      for (const Vec2 p : parts_->hulls[i.facet])
+        i.hull.push_back(i.motion(p));
   }
 
   Planar_box box_of(Index f, const Rigid_motion& m) const

@@ -51,6 +51,8 @@ public:
       return none;
     const Net_facets parts(surface_, facets, hard, noise_);
     make_trials(parts);
+    if (execution_.is_cancelled())
+      return none;
     keep_promising();
     pack_trials(parts.whole_area);
     const auto best = std::min_element(trials_.begin(), trials_.end(),
@@ -104,12 +106,12 @@ private:
                                 all.size() * shares_of_pieces.size());
     std::vector<Net_builder> pieces;
     for (std::size_t i = 0; i < std::min(n, shares_of_pieces.size()); ++i)
-      pieces.emplace_back(parts).glue_rulings(shares_of_pieces[i]);
+      pieces.emplace_back(parts).glue_rulings(shares_of_pieces[i], execution_);
     trials_.resize(n);
     execution_.for_each(n, [&](std::size_t i) {
       Trial& trial = trials_[i];
       trial.builder = std::make_unique<Net_builder>(pieces[i % pieces.size()]);
-      trial.builder->glue_creases(all[i / pieces.size()]);
+      trial.builder->glue_creases(all[i / pieces.size()], execution_);
       trial.seams = trial.builder->seam_length();
       trial.fullness = trial.builder->fullness();
       const double least = pieces.front().length_of_open_rulings();
