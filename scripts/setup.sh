@@ -4,7 +4,7 @@
 # What the library needs with the readers and writers, what the programs need besides, the Python
 # module and its tests, all tests, the checks of the source.
 ATLAS_LIBRARY_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev libtbb-dev libosmesa6-dev libpng-dev
-                        libtinygltf-dev nlohmann-json3-dev)
+                        libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev)
 ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
 ATLAS_PYTHON_PACKAGES=(pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools
                        python3-wheel)

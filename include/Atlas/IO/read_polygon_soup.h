@@ -28,12 +28,14 @@ namespace Atlas {
 ///   halfedges as CGAL does; MeshLab's numbers of textures are pages
 /// - .stl: text or binary, with colours of facets as Magics or VisCAM; corners at exactly the same position
 ///   become one vertex; where the count of a binary file is wrong, its size counts
-/// - .gltf, .glb: version 2.0: all triangles of the default scene, transformed by their nodes
+/// - .gltf, .glb: version 2.0: all triangles of the default scene, transformed by their nodes; compressed by
+///   Draco or meshopt where Atlas has been built with libdraco and libmeshoptimizer
 ///
 /// Text may be UTF-8 or UTF-16. What is passed over is in `Polygon_soup::warnings`.
 ///
 /// \throw IO_error with one line that names the file, the line or byte and what is wrong: a statement cannot
-/// be understood, there is no face, the format is unknown or, in glTF, compressed
+/// be understood, there is no face, the format is unknown or, in glTF, compressed in a way that this build
+/// cannot read
 Polygon_soup read_polygon_soup(const std::filesystem::path& path);
 
 /// What is outside of the unit square.

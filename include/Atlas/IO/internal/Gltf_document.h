@@ -2,13 +2,12 @@
 #ifndef ATLAS_IO_INTERNAL_GLTF_DOCUMENT_H
 #define ATLAS_IO_INTERNAL_GLTF_DOCUMENT_H
 
-#include <Atlas/IO/internal/load_gltf.h>
+#include <Atlas/IO/internal/glb.h>
+#include <Atlas/IO/internal/read_gltf_file.h>
 #include <Atlas/core/errors.h>
-#include <Atlas/image/internal/Text_scanner.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -30,7 +29,7 @@ public:
   /// \param model  the same file, with the bytes of its buffers and, as they are, of its pictures
   Gltf_document(const std::filesystem::path& path, const tinygltf::Model& model)
   {
-    const std::string bytes = read_whole_file(path);
+    const std::string bytes = read_gltf_file(path);
     json = Json::parse(gltf_json(bytes), nullptr, false);
     if (!json.is_object())
       throw IO_error(path.string() + ": not a glTF file");
@@ -93,14 +92,7 @@ public:
       if (json[key].empty())
         json.erase(key);
     json["buffers"] = Json::array({{{"byteLength", data.size()}}});
-    std::string text = json.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string result = "glTF";
-    for (const std::size_t number : {std::size_t(2), 28 + text.size() + data.size(), text.size()})
-      append_number_32(result, number);
-    result += "JSON" + text;
-    append_number_32(result, data.size());
-    return result + std::string("BIN\0", 4) + data;
+    return glb_of(json.dump(), std::move(data));
   }
 
   Json json;
@@ -198,12 +190,6 @@ private:
         mark(item);
       mark_views(item, is_used, is_extension || key == "EXT_structural_metadata");
     }
-  }
-
-  static void append_number_32(std::string& text, std::size_t number)
-  {
-    for (int shift = 0; shift < 32; shift += 8)
-      text += static_cast<char>(static_cast<unsigned char>(number >> shift & 255));
   }
 
   std::vector<std::string> views_;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_IO_INTERNAL_GLB_H
+#define ATLAS_IO_INTERNAL_GLB_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace Atlas::internal {
+
+inline bool is_glb(std::string_view bytes)
+{
+  return bytes.starts_with("glTF");
+}
+
+/// The contents of the chunk of a binary glTF file that starts at a place, as far as the file goes.
+inline std::string_view glb_chunk(std::string_view bytes, std::size_t at)
+{
+  if (bytes.size() < 8 || at > bytes.size() - 8)
+    return {};
+  std::uint32_t length = 0;
+  for (std::size_t i = 4; i-- > 0;)
+    length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return bytes.substr(at + 8, length);
+}
+
+/// The JSON of a glTF file, which is the file, or the first chunk of a binary one.
+inline std::string_view gltf_json(std::string_view bytes)
+{
+  return is_glb(bytes) ? glb_chunk(bytes, 12) : bytes;
+}
+
+/// The bytes beside the JSON of a binary glTF file; empty for others.
+inline std::string_view gltf_data(std::string_view bytes)
+{
+  return is_glb(bytes) ? glb_chunk(bytes, 20 + gltf_json(bytes).size()) : std::string_view();
+}
+
+/// A binary glTF file of its JSON and its one buffer.
+inline std::string glb_of(std::string json, std::string data)
+{
+  const auto append_number = [](std::string& text, std::size_t number) {
+    for (int shift = 0; shift < 32; shift += 8)
+      text += static_cast<char>(static_cast<unsigned char>(number >> shift & 255));
+  };
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  data.resize((data.size() + 3) / 4 * 4, '\0');
+  std::string result = "glTF";
+  for (const std::size_t number : {std::size_t(2), 28 + json.size() + data.size(), json.size()})
+    append_number(result, number);
+  result += "JSON" + json;
+  append_number(result, data.size());
+  return result + std::string("BIN\0", 4) + data;
+}
+
+} // namespace Atlas::internal
+
+#endif
