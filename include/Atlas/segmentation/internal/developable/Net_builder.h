@@ -131,7 +131,7 @@ public:
     const double between = CGAL_PI / (4 * Extent::directions);
     double side = 0;
     for (const Net& net : nets_)
-      side = std::max(side, net.extent.square / (std::cos(between) + std::sin(between)));
+      side = std::max(side, net.extent.free_square / (std::cos(between) + std::sin(between)));
     return std::min(1.0, parts_->whole_area / (side * side));
   }
 
@@ -158,6 +158,7 @@ private:
   {
     std::vector<Index> facets;
     std::vector<Vec2> hull;
+    Alignment border;
     Extent extent;
     Index pieces = 1; ///< glued along creases
     Index version = 0;
@@ -190,7 +191,8 @@ private:
     Net& net = nets_[f];
     net.facets = {f};
     net.hull = parts_->hulls[f];
-    net.extent = extent_of_hull(net.hull);
+    net.border = parts_->borders[f];
+    net.extent = extent_of_hull(net.hull, net.border);
     largest_facet_ = std::max(largest_facet_, net.extent.square);
   }
 
@@ -272,6 +274,7 @@ private:
       points.push_back(j.motion(p));
     std::vector<Index> facets = a->facets;
     facets.insert(facets.end(), b->facets.begin(), b->facets.end());
+    const Alignment border = border_of(j);
     const Index pieces = a->pieces + b->pieces;
     const Index version = std::max(a->version, b->version) + 1;
     *a = *b = Net();
@@ -280,7 +283,8 @@ private:
     Net& net = nets_[nets_of_.find(j.a)];
     net.facets = std::move(facets);
     net.hull = convex_hull(std::move(points));
-    net.extent = extent_of_hull(net.hull);
+    net.border = border;
+    net.extent = extent_of_hull(net.hull, border);
     net.pieces = pieces;
     net.version = version;
   }
@@ -304,7 +308,14 @@ private:
     std::vector<Vec2> points = nets_[j.a].hull;
     for (const Vec2 p : nets_[j.b].hull)
       points.push_back(j.motion(p));
-    return extent_of_hull(convex_hull(std::move(points)));
+    return extent_of_hull(convex_hull(std::move(points)), border_of(j));
+  }
+
+  Alignment border_of(const Joint& j) const
+  {
+    Alignment moved = nets_[j.b].border;
+    moved.direction = rotated(j.motion.turn, moved.direction);
+    return joined(nets_[j.a].border, moved);
   }
 
   /// No net gets larger than a page that all nets fill to this share; but any may be a little larger than the

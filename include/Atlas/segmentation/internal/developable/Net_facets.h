@@ -40,6 +40,7 @@ struct Net_facets
     for (Index f = 0; f < facets.count(); ++f) {
       hulls.push_back(hull_of(f));
       trees.push_back(tree_of(f));
+      borders.push_back(border_of(f));
     }
   }
 
@@ -56,6 +57,7 @@ struct Net_facets
   std::vector<std::vector<Index>> arcs_at, triangles_of; ///< per facet; none of those that are not hard
   std::vector<std::vector<Vec2>> hulls;                  ///< of the facets, in their planes
   std::vector<Box_tree> trees;                           ///< of the triangles of the facets there
+  std::vector<Alignment> borders;                        ///< of the facets there
 
 private:
   std::vector<Vec2> hull_of(Index f) const
@@ -64,6 +66,16 @@ private:
     for (const Index t : triangles_of[f])
       points.insert(points.end(), local.begin() + 3 * t, local.begin() + 3 * t + 3);
     return convex_hull(std::move(points));
+  }
+
+  Alignment border_of(Index f) const
+  {
+    std::vector<Vec2> segments;
+    for (const Index t : triangles_of[f])
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (const Index o = surface.opposite[h]; o == no_index || facet(o) != f)
+          segments.push_back(local[next_halfedge(h)] - local[h]);
+    return alignment_of(segments);
   }
 
   Box_tree tree_of(Index f) const

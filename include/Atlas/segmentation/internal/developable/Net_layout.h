@@ -2,6 +2,7 @@
 #ifndef ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_LAYOUT_H
 #define ATLAS_SEGMENTATION_INTERNAL_DEVELOPABLE_NET_LAYOUT_H
 
+#include <Atlas/planar/internal/alignment.h>
 #include <Atlas/planar/internal/convex_hull.h>
 #include <Atlas/planar/internal/vectors.h>
 #include <Atlas/segmentation/internal/developable/Facets.h>
@@ -67,15 +68,16 @@ inline std::vector<Vec2> coordinates_in_facets(const Surface& surface, const Fac
   return local;
 }
 
-/// Room that a set of points takes in the plane.
+/// Room that a net takes in the plane, in the pose that it will have on a page.
 struct Extent
 {
-  double rectangle = 0; ///< area of the least bounding rectangle
-  double side = 0;      ///< its longer side
-  double square = 0;    ///< side of a small square around it, in any of twelve directions
-  double hull = 0;      ///< area of the convex hull
+  double rectangle = 0;   ///< area of the bounding rectangle
+  double side = 0;        ///< its longer side
+  double square = 0;      ///< side of a square around it
+  double hull = 0;        ///< area of the convex hull
+  double free_square = 0; ///< side of a small square around it, in any of twelve directions
 
-  static constexpr int directions = 12; ///< in which `square` is tried, evenly over 90 degrees
+  static constexpr int directions = 12; ///< in which `free_square` is tried, evenly over 90 degrees
 
   /// About the area of a page that it takes.
   double room() const { return (rectangle + hull) / 2; }
@@ -93,18 +95,46 @@ inline Vec2 size_along(const std::vector<Vec2>& points, Vec2 e)
   return high - low;
 }
 
-inline Extent extent_of_hull(const std::vector<Vec2>& hull)
+/// What has a dominant direction will lie along it on the page, as packers place it
+/// (`Chart_rotation::aligned`); all else as it takes least room.
+inline Extent extent_of_hull(const std::vector<Vec2>& hull, const Alignment& border)
 {
-  const Vec2 e = least_rectangle_direction(hull), size = size_along(hull, e);
-  Extent result{size.x * size.y, std::max(size.x, size.y), std::max(size.x, size.y), 0};
+  const Vec2 e = border.is_dominant() ? border.direction : least_rectangle_direction(hull);
+  const Vec2 size = size_along(hull, e);
+  const double side = std::max(size.x, size.y);
+  Extent result{size.x * size.y, side, side, 0, side};
   for (int k = 1; k < Extent::directions; ++k) {
     const double angle = k * CGAL_PI / (2 * Extent::directions);
     const Vec2 turned = size_along(hull, rotated({std::cos(angle), std::sin(angle)}, e));
-    result.square = std::min(result.square, std::max(turned.x, turned.y));
+    result.free_square = std::min(result.free_square, std::max(turned.x, turned.y));
   }
+  if (!border.is_dominant())
+    result.square = result.free_square;
   for (std::size_t i = 0; i < hull.size(); ++i)
     result.hull += cross(hull[i] - hull[0], hull[(i + 1) % hull.size()] - hull[0]) / 2;
   return result;
+}
+
+/// About that of two borders put side by side: the direction that more of them has. What is glued between
+/// them counts on, and the chord is not known.
+inline Alignment joined(Alignment a, const Alignment& b)
+{
+  const auto fold = [](Vec2 d) {
+    const Vec2 square{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+    return Vec2{square.x * square.x - square.y * square.y, 2 * square.x * square.y};
+  };
+  constexpr double same_direction = 0.9994; // cosine of four times half a degree
+  const bool is_same = dot(fold(a.direction), fold(b.direction)) >= same_direction;
+  const double border = a.border + b.border;
+  if (a.aligned < b.aligned) {
+    const double other = a.aligned;
+    a = b;
+    a.aligned += is_same ? other : 0;
+  } else
+    a.aligned += is_same ? b.aligned : 0;
+  a.border = border;
+  a.chord = 0;
+  return a;
 }
 
 } // namespace Atlas::internal

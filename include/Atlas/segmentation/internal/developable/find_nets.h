@@ -62,7 +62,7 @@ public:
 
 private:
   /// A page that is emptier than this counts like seams that are longer in this power of the ratio.
-  static constexpr double enough_fullness = 0.72, exponent_of_fullness = 1.2;
+  static constexpr double enough_fullness = 0.72, exponent_of_fullness = 0.9;
   /// Pieces that unroll are cut where they get larger than a page that is full to one of these shares.
   /// Patterns run on across rulings, so seams there that the first share does not need count so many times
   /// more.
