@@ -9,7 +9,7 @@ list(FILTER atlas_public_headers EXCLUDE REGEX "/internal/")
 
 # Headers that stand on more than CGAL's LGPL parts, Boost and Eigen; each says so.
 set(atlas_gpl_headers ${atlas_headers})
-list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|bake_ambient_occlusion")
+list(FILTER atlas_gpl_headers INCLUDE REGEX "parameterization/(CGAL_parameterizer|Cholmod_)|bake_ambient_occlusion|/internal/occlusion/")
 set(atlas_optional_headers ${atlas_headers})
 list(FILTER atlas_optional_headers INCLUDE REGEX "/internal/rendering/")
 list(APPEND atlas_optional_headers ${atlas_gpl_headers})

@@ -2,11 +2,13 @@
 #ifndef ATLAS_BAKE_BAKE_AMBIENT_OCCLUSION_H
 #define ATLAS_BAKE_BAKE_AMBIENT_OCCLUSION_H
 
+#include <Atlas/bake/bake_texture.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/image/Image.h>
 #include <Atlas/soup/Polygon_soup.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace Atlas {
@@ -32,10 +34,32 @@ Image bake_ambient_occlusion(const Polygon_soup& soup, Image_size size,
                              const Ambient_occlusion_options& options = {}, Index page = 0,
                              const Execution& execution = Execution());
 
+/// What `bake_ambient_occlusion()` shows. The soup must outlive it.
+Bake_shader occlusion_shader(const Polygon_soup& soup, const Ambient_occlusion_options& options = {});
+
+/// The place on another surface for a place on this one.
+using Bake_place = std::function<Bake_sample(const Bake_sample&)>;
+
+/// \brief Where the places of a mesh are on another one of the same shape, such as the scan that it has been
+/// simplified from: the nearest hit along the normal, outwards or inwards, of a face of the other mesh that
+/// looks the same way; where there is none within the cage, its nearest point.
+///
+/// A shader of the other mesh after it is what a bake of one mesh from another shows:
+/// `[&](const Bake_sample& s) { return shader_of_detail(place(s)); }`.
+///
+/// \param cage  how far hits may be away, as a share of the diagonal of the other mesh's bounding box, at
+/// least 0; 0 takes nearest points alone
+/// \throw Invalid_argument the other mesh has no triangle with an area, or `cage` is negative or no number
+///
+/// Normals are those of `shading_normal()`. O(log triangles) expected for a place. Part of
+/// `Atlas::Occlusion`. Both soups may go before it.
+Bake_place place_on(const Polygon_soup& soup, const Polygon_soup& detail, double cage = 0.02);
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/bake/internal/occlusion/bake_ambient_occlusion_impl.h>
+#include <Atlas/bake/internal/occlusion/place_on_impl.h>
 #endif
 
 #endif

@@ -76,11 +76,30 @@ Image bake_procedural(const Polygon_soup& soup, Image_size size,
 /// [0, 255].
 Color color_of_normal(const Vector_3& n);
 
-/// \brief The normals of the surface as a texture, in the coordinates of the model ("object space", which
-/// needs no tangents).
+/// A normal, of any length, given a place on the surface.
+using Bake_normal = std::function<Vector_3(const Bake_sample&)>;
+
+/// \brief The normals of the surface, in the coordinates of the model: those of the soup where it has them,
+/// else normals that are smooth except at edges sharper than 45 degrees; in between they are interpolated.
+/// The soup must outlive it.
+Bake_normal shading_normal(const Polygon_soup& soup);
+
+/// \brief Normals in the frames of a surface ("tangent space"), as materials want them: x along the direction
+/// of u, y along that of v, z along `shading_normal()`. Bakers and renderers that follow MikkTSpace
+/// (Mikkelsen 2008) agree on the frames, if they show the soup with these normals and as these triangles.
 ///
-/// The normals of the soup where it has them, else normals that are smooth except at edges sharper than
-/// 45 degrees; in between they are interpolated. Linear in texels and triangles.
+/// \param soup    with coordinates; one without normals is to get them first, `add_normals()`
+/// \param normal  in the coordinates of the model
+/// \throw Invalid_argument the soup has not a coordinate per corner
+///
+/// Linear in triangles, then constant for a place.
+Bake_normal in_tangent_space(const Polygon_soup& soup, Bake_normal normal);
+
+/// \brief Gives a soup without normals those of `shading_normal()`. Others stay as they are. Linear.
+void add_normals(Polygon_soup& soup);
+
+/// \brief The normals of the surface as a texture, in the coordinates of the model ("object space", which
+/// needs no tangents): `shading_normal()` as colours. Linear in texels and triangles.
 /// \param page which one
 Image bake_normals(const Polygon_soup& soup, Image_size size, Index page = 0,
                    const Execution& execution = Execution());

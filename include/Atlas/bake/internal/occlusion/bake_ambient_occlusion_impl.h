@@ -6,27 +6,18 @@
 
 #include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/bake/internal/occlusion/Triangle_tree.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/internal/library.h>
 #include <Atlas/soup/internal/corner_normals.h>
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_MAJOR >= 6
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace Atlas {
@@ -37,20 +28,13 @@ namespace internal {
 class Sky_view
 {
 public:
-  Sky_view(const Surface& surface, const Ambient_occlusion_options& options)
-      : surface_(surface), normalized_(normalized_points(surface)),
-        facet_(facet_normals(surface, normalized_.points)),
+  Sky_view(Surface surface, const Ambient_occlusion_options& options)
+      : surface_(std::move(surface)), normalized_(normalized_points(surface_)),
+        facet_(facet_normals(surface_, normalized_.points)),
         samples_(std::max<std::size_t>(options.samples, 1)),
-        reach_(std::min(options.distance / normalized_.unit, 3.0)) // longer than the model
-  {
-    for (const auto& triangle : surface.triangles) {
-      const Triangle t(point(triangle[0]), point(triangle[1]), point(triangle[2]));
-      if (!t.is_degenerate())
-        triangles_.push_back(t);
-    }
-    tree_.insert(triangles_.begin(), triangles_.end());
-    tree_.build();
-  }
+        reach_(std::min(options.distance / normalized_.unit, 3.0)), // longer than the model
+        triangles_(surface_, normalized_.points)
+  {}
 
   /// The cosine-weighted share of directions that are free, in [0, 1].
   double share(const Bake_sample& sample) const
@@ -72,33 +56,18 @@ public:
       const double angle = 2 * M_PI * (turn + golden_ratio * static_cast<double>(i));
       const double r = std::sqrt(r2), x = r * std::cos(angle), y = r * std::sin(angle);
       const Vector_3 d = x * across + y * along + std::sqrt(1 - r2) * up;
-      free +=
-          !tree_.do_intersect(Segment(origin, Point(origin.x() + reach_ * d.x(), origin.y() + reach_ * d.y(),
-                                                    origin.z() + reach_ * d.z())));
+      free += !triangles_.tree().do_intersect(
+          Segment(origin, Point(origin.x() + reach_ * d.x(), origin.y() + reach_ * d.y(),
+                                origin.z() + reach_ * d.z())));
     }
     return static_cast<double>(free) / static_cast<double>(samples_);
   }
 
 private:
-  // Nothing is decided here that has to be exact.
-  using K = CGAL::Simple_cartesian<double>;
-  using Point = K::Point_3;
-  using Triangle = K::Triangle_3;
-  using Segment = K::Segment_3;
-  using Iterator = std::vector<Triangle>::const_iterator;
-#if CGAL_VERSION_MAJOR >= 6
-  using Traits = CGAL::AABB_traits_3<K, CGAL::AABB_triangle_primitive_3<K, Iterator>>;
-#else
-  using Traits = CGAL::AABB_traits<K, CGAL::AABB_triangle_primitive<K, Iterator>>;
-#endif
+  using Point = Triangle_tree::Point;
+  using Segment = Triangle_tree::Segment;
 
   static constexpr double golden_ratio = 0.6180339887498949;
-
-  Point point(Index v) const
-  {
-    const Point_3& p = normalized_.points[v];
-    return Point(p.x(), p.y(), p.z());
-  }
 
   /// The place that a sample shows, a little above the surface and away from the edges of its triangle, so
   /// that rays neither meet the triangle nor slip out between two.
@@ -122,28 +91,31 @@ private:
     return std::ldexp(static_cast<double>((x ^ (x >> 31)) >> 11), -53);
   }
 
-  const Surface& surface_;
+  Surface surface_;
   Normalized_points normalized_;
   std::vector<Vector_3> facet_;
   std::size_t samples_;
   double reach_;
-  std::vector<Triangle> triangles_;
-  CGAL::AABB_tree<Traits> tree_;
+  Triangle_tree triangles_;
 };
 
 } // namespace internal
+
+ATLAS_INLINE Bake_shader occlusion_shader(const Polygon_soup& soup, const Ambient_occlusion_options& options)
+{
+  const auto view = std::make_shared<const internal::Sky_view>(
+      build_surface(soup.points, soup.first, soup.vertices), options);
+  return [view](const Bake_sample& sample) {
+    const double share = view->share(sample);
+    return color_of({share, share, share});
+  };
+}
 
 ATLAS_INLINE Image bake_ambient_occlusion(const Polygon_soup& soup, Image_size size,
                                           const Ambient_occlusion_options& options, Index page,
                                           const Execution& execution)
 {
-  const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
-  const internal::Sky_view view(surface, options);
-  const auto color = [&](const Bake_sample& sample) {
-    const double share = view.share(sample);
-    return color_of({share, share, share});
-  };
-  return bake_texture(soup, size, color, page, execution);
+  return bake_texture(soup, size, occlusion_shader(soup, options), page, execution);
 }
 
 } // namespace Atlas
