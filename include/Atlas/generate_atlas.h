@@ -83,7 +83,7 @@ Atlas_request atlas_request(const NamedParameters& np)
   if constexpr (has_parameter<min_coverage_t, NamedParameters>)
     request.wishes.min_coverage = static_cast<double>(parameter<min_coverage_t>(np));
   if constexpr (has_parameter<seam_exchange_rate_t, NamedParameters>)
-    request.wishes.seam_exchange_rate = static_cast<double>(parameter<seam_exchange_rate_t>(np));
+    request.wishes.seam_exchange_rate = parameter<seam_exchange_rate_t>(np);
   if constexpr (has_parameter<min_texels_per_chart_t, NamedParameters>)
     request.wishes.min_texels_per_chart = static_cast<double>(parameter<min_texels_per_chart_t>(np));
   read_parameter<hide_seams_t>(np, request.hiding);

@@ -2,6 +2,7 @@
 // Charts that are cut or enlarged for their pages.
 #include <Atlas/generate_atlas.h>
 #include <Atlas/packing/Horizon_packer.h>
+#include <Atlas/segmentation/Patch_segmentation.h>
 
 #include "test_meshes.h"
 #include <algorithm>
@@ -58,7 +59,7 @@ Result atlas_of(const Surface& surface, const Parameters& np)
 TEST(MinCoverage, ChartsAreCutUntilThePageIsThatFull)
 {
   const Surface surface = surface_of(frame());
-  const auto plain = parameters::texture_size(256);
+  const auto plain = parameters::texture_size(256).seam_exchange_rate(0);
   const Result before = atlas_of(surface, plain);
   ASSERT_TRUE(before.report.is_valid());
   EXPECT_LT(before.report.packing_efficiency, 0.6);
@@ -115,12 +116,55 @@ TEST(SeamExchangeRate, AStripThatSetsTheDensityIsCut)
 {
   const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));
   const auto np = parameters::texture_size(512);
-  const Result never = atlas_of(strip, np), traded = atlas_of(strip, np.seam_exchange_rate(1));
-  ASSERT_TRUE(never.report.is_valid() && traded.report.is_valid());
+  const Result never = atlas_of(strip, np.seam_exchange_rate(0)), usual = atlas_of(strip, np);
+  ASSERT_TRUE(never.report.is_valid() && usual.report.is_valid());
   EXPECT_EQ(never.report.charts.size(), 1u);
-  EXPECT_GT(traded.report.pieces_cut_for_pages, 3u);
-  EXPECT_GT(traded.report.density, 3 * never.report.density);
+  EXPECT_GT(usual.report.pieces_cut_for_pages, 3u);
+  EXPECT_GT(usual.report.density, 3 * never.report.density);
   EXPECT_EQ(atlas_of(strip, np.seam_exchange_rate(1e6)).report.charts.size(), 1u);
+}
+
+TEST(Density, ChartsLargerThanThePageAreCut)
+{
+  const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));
+  Page_options page;
+  page.width = page.height = 256;
+  page.density = 20;
+  const auto np = parameters::page_options(page);
+  const Result never = atlas_of(strip, np.seam_exchange_rate(0)), usual = atlas_of(strip, np);
+  ASSERT_TRUE(never.report.is_valid() && usual.report.is_valid());
+  EXPECT_LT(never.report.density, 19);
+  EXPECT_NEAR(usual.report.density, 20, 1e-6);
+  EXPECT_GE(usual.report.pieces_cut_for_pages, 3u);
+  EXPECT_LE(usual.report.pieces_cut_for_pages, 8u);
+}
+
+TEST(SeamExchangeRate, WhoSaysWhichChartsThereAreGetsThem)
+{
+  const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));
+  const auto np = parameters::texture_size(512);
+  const auto pieces = [&](const auto& wish) { return atlas_of(strip, wish).report.pieces_cut_for_pages; };
+  EXPECT_EQ(pieces(np.mode(Atlas_mode::few_seams)), 0u);
+  EXPECT_EQ(pieces(np.max_charts(1)), 0u);
+  EXPECT_EQ(pieces(np.segmentation(Patch_segmentation())), 0u);
+  EXPECT_GT(pieces(np.segmentation(Patch_segmentation()).seam_exchange_rate(1)), 3u);
+}
+
+/// A surface with much less seam than it has room: cuts that pay stop where they no longer do.
+TEST(SeamExchangeRate, WhatIsAddedStaysSmall)
+{
+  const Surface surface = surface_of(squares(24, 24, [](int x, int y) { return x % 8 < 3 || y > 20; }));
+  const auto np = parameters::texture_size(256);
+  const Result never = atlas_of(surface, np.seam_exchange_rate(0)), usual = atlas_of(surface, np);
+  ASSERT_TRUE(never.report.is_valid() && usual.report.is_valid());
+  double border = 0; // of the surface: what seams there are before the cuts
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    border += surface.opposite[h] == no_index ? 1 : 0; // its edges are of length 1
+  const double added = usual.report.seam_length - never.report.seam_length;
+  EXPECT_LE(added, 0.12 * border / 2);
+  if (usual.report.pieces_cut_for_pages > 0) {
+    EXPECT_GT(usual.report.density, (1 + 0.5 * added / (border / 2)) * never.report.density);
+  }
 }
 
 TEST(MinTexelsPerChart, SmallChartsAreEnlarged)

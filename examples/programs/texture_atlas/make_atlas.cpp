@@ -51,6 +51,9 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.rules = rules_of(options.materials, model);
   wishes.min_coverage = options.min_coverage;
   wishes.seam_exchange_rate = options.seam_exchange_rate;
+  if (!wishes.seam_exchange_rate &&
+      (!options.stages.segmentation.empty() || options.symmetry != Atlas::Symmetry::off))
+    wishes.seam_exchange_rate = 0; // who chooses how charts are made gets them as they are
   wishes.min_texels_per_chart = options.min_texels_per_chart;
   wishes.threads = options.threads;
   if (!options.seams.empty() && !options.keeps_uv)

@@ -15,6 +15,7 @@
 #include "policies.h"
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,12 @@ struct Options : Packing_options
   std::string mode = "standard", measure;
   Atlas::Symmetry symmetry = Atlas::Symmetry::off;
   Stage_names stages;
-  std::string seams;                                                         ///< a file of them
-  std::string hiding;                                                        ///< from whom seams are hidden
-  double max_distortion = 0, hard_angle = 0, min_chart_texels = 0;           ///< 0: not given
-  double max_stretch = 0, max_stretch_share = 0;                             ///< 0: not given
-  double min_coverage = 0, min_texels_per_chart = 0, seam_exchange_rate = 0; ///< 0: not given
+  std::string seams;                                               ///< a file of them
+  std::string hiding;                                              ///< from whom seams are hidden
+  double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
+  double max_stretch = 0, max_stretch_share = 0;                   ///< 0: not given
+  double min_coverage = 0, min_texels_per_chart = 0;               ///< 0: not given
+  std::optional<double> seam_exchange_rate;
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;

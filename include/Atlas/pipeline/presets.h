@@ -40,6 +40,12 @@ inline const char* name(Atlas_mode mode)
 /// When charts merge in a mode. In `paper` they do not; the options are the defaults.
 Merge_options merge_options(Atlas_mode mode);
 
+/// At which rate the charts of a mode are cut for fuller pages, see `seam_exchange_rate` of `parameters.h`:
+/// 0.5 in `standard`, never in other modes.
+double seam_exchange_rate(Atlas_mode mode);
+/// By that share seams get longer at most where charts are cut without being asked to.
+inline constexpr double default_added_seam = 0.06;
+
 /// Within a chart, areas in the plane over areas in space differ by at most this factor, the extreme
 /// `default_density_quantile` of the area on either side left out: texel density varies at most by its square
 /// root.

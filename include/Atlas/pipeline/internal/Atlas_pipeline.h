@@ -41,11 +41,13 @@ public:
 
   /// \param policies  must outlive this object
   /// \param wishes    what charts do for their pages
+  /// \param trade     when they are cut unless `wishes` ask for a coverage
   /// \param shared    which parts of the surface that are copies of others get the same charts
   Atlas_pipeline(const Surface& input, const Policies& policies, const Page_options& page,
-                 const Page_wishes& wishes, Chart_stacking shared, unsigned threads, Progress progress)
+                 const Page_wishes& wishes, const Cut_trade& trade, Chart_stacking shared, unsigned threads,
+                 Progress progress)
       : surface_(input), model_(normalize(surface_)), policies_(policies), page_(page), wishes_(wishes),
-        execution_(threads), progress_(std::move(progress)), parts_(surface_, shared),
+        trade_(trade), execution_(threads), progress_(std::move(progress)), parts_(surface_, shared),
         charted_(parts_.is_empty() ? surface_ : parts_.models()),
         flattener_(charted_, charted_segmentation_, policies, execution_)
   {
@@ -134,8 +136,7 @@ private:
     if (std::exchange(page_.has_free_aspect, false))
       set_page(least_page(packed.charts, page_, policies_.packer, execution_));
     packing.pack(packed, page_);
-    if (packed.packing.number_of_pages > 0 && !(page_.density > 0))
-      cut_for_pages(packing, packed);
+    cut_for_pages(packing, packed);
     if (execution_.is_cancelled())
       return;
     segmentation_ = std::move(packed.segmentation);
@@ -151,8 +152,8 @@ private:
   /// Cuts charts as the wishes for pages say.
   void cut_for_pages(const Chart_packing& packing, Packed_charts& packed)
   {
-    Page_cutter cutter(charted_, packing, page_, wishes_, execution_);
-    std::optional<Cut_charts> cut = cutter(charted_segmentation_, flattener_.charts(), packed.coverage);
+    Page_cutter cutter(charted_, packing, page_, wishes_.min_coverage, trade_, execution_);
+    std::optional<Cut_charts> cut = cutter(charted_segmentation_, flattener_.charts(), packed);
     are_cuts_exhausted_ = cutter.is_exhausted();
     if (!cut || execution_.is_cancelled())
       return;
@@ -366,6 +367,7 @@ private:
   const Policies& policies_;
   Page_options page_;
   Page_wishes wishes_;
+  Cut_trade trade_;
   bool are_cuts_exhausted_ = false;
   Execution execution_;
   Progress progress_;

@@ -71,20 +71,40 @@ public:
     return std::move(best_);
   }
 
-  /// Makes all cuts that raise the density enough for their seam, both relative.
+  /// Makes all cuts of a forest that knows what they are worth.
   ///
   /// \param seam  the length of all borders between charts
   /// \return none if the density does not rise that much
   std::optional<Cut_charts> trade(double coverage, double seam, double exchange_rate)
   {
-    // Density goes with the root of the room.
-    while (forest_.cut(2 * exchange_rate * forest_.room() / seam)) {
+    while (forest_.cut()) {
     }
-    const double added = forest_.added_cost() / seam;
+    const double added = forest_.added_length() / seam;
     double most = coverage;
     if (forest_.cuts().empty() ||
         std::sqrt(try_now(most, 1) / coverage) < 1 + std::max(exchange_rate * added, least_gain))
       return std::nullopt;
+    return std::move(best_);
+  }
+
+  /// Cuts charts that are larger than a page until all have the density that they are packed at.
+  ///
+  /// \return none if no cut raises what density there is
+  std::optional<Cut_charts> fit(double density)
+  {
+    double most = 0;
+    for (int i = 0; i < most_packings && most < density; ++i) {
+      bool is_cut = false;
+      while (forest_.cut_longest(Room_estimate::longest))
+        is_cut = true;
+      if (!is_cut && !forest_.cut_longest(0))
+        break;
+      Cut_charts now = packed_now();
+      if (now.packed.packing.number_of_pages > 0 && now.packed.packing.density > most) {
+        most = now.packed.packing.density;
+        best_ = std::move(now);
+      }
+    }
     return std::move(best_);
   }
 
@@ -95,12 +115,18 @@ private:
   /// Cuts that raise the density by less may as well owe it to luck.
   static constexpr double least_gain = 0.02;
 
-  /// Packs the charts as they are now, and keeps them if they are the best so far.
-  double try_now(double& most, double wanted)
+  Cut_charts packed_now()
   {
     Cut_charts now;
     now.flattened = forest_.write(now.segmentation);
     now.packed = pack_(now.segmentation, now.flattened);
+    return now;
+  }
+
+  /// Packs the charts as they are now, and keeps them if they are the best so far.
+  double try_now(double& most, double wanted)
+  {
+    Cut_charts now = packed_now();
     const double coverage = now.packed.coverage;
     if (coverage > most || coverage >= wanted) {
       most = coverage;

@@ -18,10 +18,21 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace Atlas::internal {
+
+/// When a cut is worth its seam.
+struct Cut_trade
+{
+  double rate = 0; ///< by which the density has to rise per added seam, both relative; 0: no cut is made
+  /// Up to this added seam of all cuts, relative. Beyond, the density has to rise by twice that rate.
+  double most_added_seam = std::numeric_limits<double>::infinity();
+  bool is_for_density =
+      false; ///< whether charts are cut that are larger than a page at the density asked for
+};
 
 /// \brief Flattened charts that are cut one after the other, so that they need less room on a page.
 ///
@@ -32,31 +43,42 @@ class Cut_forest
 {
 public:
   /// \param segmentation  which the charts belong to
+  /// \param trade         which cuts are of use; nothing: all
+  /// \param seam          the length of all borders between charts
   Cut_forest(const Surface& surface, const Segmentation& segmentation,
              const std::vector<Flattened_chart>& charts, const Room_estimate& room,
-             const Execution& execution)
+             const Execution& execution, std::optional<Cut_trade> trade, double seam)
       : surface_(surface), segmentation_(segmentation), charts_(charts), room_(room), execution_(execution),
-        costs_(surface, sharp_angle, sharp_discount)
+        trade_(trade), seam_(seam), costs_(surface, sharp_angle, sharp_discount)
   {
     for (Index i = 0; i < charts.size(); ++i)
       add(charts[i].chart, i, no_index);
+    room_before_ = this->room();
     execution_.for_each(nodes_.size(), [&](std::size_t i) { look_for_cut(nodes_[i]); });
   }
 
-  /// Makes the cut that saves most for its seam; false if none saves anything, or more than `least_rate` for
-  /// each length of it.
-  bool cut(double least_rate = 0)
+  /// Makes the cut that saves most for its seam, of those that are worth it; false if there is none.
+  bool cut()
   {
+    const double budget = trade_ ? trade_->most_added_seam * seam_ - added_length() : 0;
     Index best = no_index;
     for (Index i = 0; i < nodes_.size(); ++i)
       if (const Node& node = nodes_[i]; node.is_leaf && node.cut.number_of_parts > 0)
-        if (best == no_index || node.cut.rate > nodes_[best].cut.rate)
+        if (node.cut.rate > least_rate(node.cut.length <= budget) &&
+            (best == no_index || node.cut.rate > nodes_[best].cut.rate))
           best = i;
-    if (best == no_index || !(nodes_[best].cut.rate > least_rate) || execution_.is_cancelled())
-      return false;
-    cut_node(best);
-    cuts_.push_back(best);
-    return true;
+    return cut_node(best);
+  }
+
+  /// Cuts the longest chart or piece, if it has more than `least` sides of the page; false if none can be.
+  bool cut_longest(double least)
+  {
+    Index best = no_index;
+    for (Index i = 0; i < nodes_.size(); ++i)
+      if (const Node& node = nodes_[i]; node.is_leaf && node.cut.number_of_parts > 0 && node.sides > least)
+        if (best == no_index || node.sides > nodes_[best].sides)
+          best = i;
+    return cut_node(best);
   }
 
   /// All cuts, in the order in which they were made.
@@ -95,11 +117,11 @@ public:
   }
 
   /// The length of new seams.
-  double added_cost() const
+  double added_length() const
   {
     double sum = 0;
     for (Index i = 0; i < nodes_.size(); ++i)
-      sum += is_present(i) && !nodes_[i].is_leaf ? nodes_[i].cut.cost : 0;
+      sum += is_present(i) && !nodes_[i].is_leaf ? nodes_[i].cut.length : 0;
     return sum;
   }
 
@@ -136,10 +158,26 @@ private:
     Index root;   ///< the chart it is a piece of
     Index parent; ///< the node it is a piece of
     double room = 0;
+    double sides = 0; ///< its length, in sides of the page
     Chart_cut cut = {};
     std::vector<Index> children = {};
     bool is_leaf = true; ///< whether it is a chart now
   };
+
+  /// What a cut has to save for its cost. Density goes with the root of the room.
+  double least_rate(bool is_within_budget) const
+  {
+    return trade_ ? (is_within_budget ? 2 : 4) * trade_->rate * room_before_ / seam_ : 0;
+  }
+
+  /// What a cut may cost to be worth it: it saves no more than what of the room is not covered.
+  double most_cost(const Node& node) const
+  {
+    if (!trade_)
+      return std::numeric_limits<double>::infinity();
+    const double left_over = node.room - std::abs(area_uv(node.chart));
+    return std::max(trade_->most_added_seam * seam_, left_over / least_rate(false));
+  }
 
   /// Whether the node is a chart now, or some of its pieces are.
   bool is_present(Index i) const
@@ -150,18 +188,24 @@ private:
                        [&](Index child) { return is_present(child); });
   }
 
-  static std::vector<Vec2> points_of(const Chart& chart)
+  static std::vector<Vec2> border_of(const Chart& chart)
   {
     std::vector<Vec2> points;
-    for (const Point_2& p : chart.uv)
-      points.push_back({p.x(), p.y()});
+    const std::vector<Index> opposite = opposite_halfedges(chart.triangles);
+    for (Index h = 0; h < opposite.size(); ++h)
+      if (opposite[h] == no_index)
+        for (const Index i : {h % 3, (h + 1) % 3}) {
+          const Point_2& p = chart.uv[chart.triangles[h / 3][i]];
+          points.push_back({p.x(), p.y()});
+        }
     return points;
   }
 
   Index add(Chart chart, Index root, Index parent)
   {
-    const double room = room_(points_of(chart));
-    nodes_.push_back({std::move(chart), root, parent, room});
+    const std::vector<Vec2> border = border_of(chart);
+    const double room = room_(border), sides = room_.sides(border);
+    nodes_.push_back({std::move(chart), root, parent, room, sides});
     return static_cast<Index>(nodes_.size() - 1);
   }
 
@@ -176,11 +220,15 @@ private:
       const bool is_possible = surface_.opposite[g] != no_index && !must_not_be_seam(surface_, g);
       cost[h] = is_possible ? costs_(g).cost : std::numeric_limits<double>::infinity();
     }
-    node.cut = Chart_cut_finder(chart, cost, room_).best(execution_);
+    node.cut = Chart_cut_finder(chart, cost, room_, most_cost(node)).best(execution_);
   }
 
-  void cut_node(Index i)
+  /// Makes the cut of a node; false if there is none.
+  bool cut_node(Index i)
   {
+    if (i == no_index || execution_.is_cancelled())
+      return false;
+    cuts_.push_back(i);
     std::vector<std::vector<Index>> lists(nodes_[i].cut.number_of_parts);
     for (Index t = 0; t < nodes_[i].cut.parts.size(); ++t)
       lists[nodes_[i].cut.parts[t]].push_back(t);
@@ -191,6 +239,7 @@ private:
     }
     nodes_[i].is_leaf = false;
     execution_.for_each(nodes_.size() - first, [&](std::size_t k) { look_for_cut(nodes_[first + k]); });
+    return true;
   }
 
   /// Some triangles of a chart, with their coordinates at the scale at which they keep their area in space.
@@ -243,6 +292,8 @@ private:
   std::vector<Flattened_chart> charts_;
   Room_estimate room_;
   const Execution& execution_;
+  std::optional<Cut_trade> trade_;
+  double seam_, room_before_ = 0;
   Seam_costs costs_;
   std::vector<Node> nodes_;
   std::vector<Index> cuts_;

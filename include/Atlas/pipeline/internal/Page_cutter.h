@@ -7,7 +7,6 @@
 #include <Atlas/measure/distortion.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Coverage_search.h>
-#include <Atlas/pipeline/internal/run_atlas.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,30 +36,33 @@ public:
   /// Rounding takes that much of the coverage at most.
   static constexpr double coverage_lost = 2e-4;
 
-  /// \param surface  of the charts. All must outlive this object
+  /// \param surface       of the charts. All must outlive this object
+  /// \param min_coverage  that is asked for; 0: none, then charts are cut as `trade` says
   Page_cutter(const Surface& surface, const Chart_packing& packing, const Page_options& page,
-              const Page_wishes& wishes, const Execution& execution)
-      : surface_(surface), packing_(packing), page_(page), wishes_(wishes), execution_(execution)
+              double min_coverage, const Cut_trade& trade, const Execution& execution)
+      : surface_(surface), packing_(packing), page_(page), min_coverage_(min_coverage), trade_(trade),
+        execution_(execution)
   {}
 
-  /// \param coverage  of the pages with the charts as they are
-  /// \return none if the charts stay as they are
+  /// \param packed  the charts as they are
+  /// \return none if they stay as they are
   std::optional<Cut_charts> operator()(const Segmentation& segmentation,
-                                       const std::vector<Flattened_chart>& charts, double coverage)
+                                       const std::vector<Flattened_chart>& charts,
+                                       const Packed_charts& packed)
   {
-    const double rate = wishes_.seam_exchange_rate, wanted = wishes_.min_coverage + coverage_lost;
-    const bool is_asked = wishes_.min_coverage > 0;
-    if (is_asked ? coverage >= wanted : !(rate > 0))
+    if (page_.density > 0)
+      return fit(segmentation, charts, packed.packing);
+    const double coverage = packed.coverage, wanted = min_coverage_ + coverage_lost;
+    const bool is_asked = min_coverage_ > 0;
+    if (packed.packing.number_of_pages == 0 || (is_asked ? coverage >= wanted : !(trade_.rate > 0)))
       return std::nullopt;
     const Room_estimate room = room_on_pages(is_asked ? wanted : std::max(coverage, usual_coverage));
-    Cut_forest forest(surface_, segmentation, charts, room, execution_);
-    Coverage_search search(std::move(forest), [&](const Segmentation& s, const auto& flattened) {
-      Packed_charts result = packing_.charts(s, flattened);
-      packing_.pack(result, page_);
-      return result;
-    });
+    const double seam = half_of_borders(charts);
+    Cut_forest forest(surface_, segmentation, charts, room, execution_,
+                      is_asked ? std::nullopt : std::optional(trade_), seam);
+    Coverage_search search = search_in(std::move(forest));
     std::optional<Cut_charts> cut =
-        is_asked ? search.reach(coverage, wanted) : search.trade(coverage, half_of_borders(charts), rate);
+        is_asked ? search.reach(coverage, wanted) : search.trade(coverage, seam, trade_.rate);
     is_exhausted_ = search.is_exhausted();
     return cut;
   }
@@ -69,6 +71,31 @@ public:
   bool is_exhausted() const { return is_exhausted_; }
 
 private:
+  /// What the density may lose by rounding.
+  static constexpr double density_lost = 1e-9;
+
+  Coverage_search search_in(Cut_forest forest) const
+  {
+    return {std::move(forest), [this](const Segmentation& s, const std::vector<Flattened_chart>& flattened) {
+              Packed_charts result = packing_.charts(s, flattened);
+              packing_.pack(result, page_);
+              return result;
+            }};
+  }
+
+  /// Cuts charts that are larger than a page at the density that is asked for.
+  std::optional<Cut_charts> fit(const Segmentation& segmentation, const std::vector<Flattened_chart>& charts,
+                                const Packing& packing) const
+  {
+    const double least = page_.density * (1 - density_lost), gutter = page_.effective_gutter();
+    if (!trade_.is_for_density || (packing.number_of_pages > 0 && packing.density >= least))
+      return std::nullopt;
+    const Room_estimate room{(std::min(page_.width, page_.height) - gutter) / page_.density,
+                             gutter / page_.density};
+    return search_in(Cut_forest(surface_, segmentation, charts, room, execution_, std::nullopt, 0))
+        .fit(least);
+  }
+
   /// The length of all seams in space. Borders of the surface count half: a strip has no other seams.
   static double half_of_borders(const std::vector<Flattened_chart>& charts)
   {
@@ -93,7 +120,8 @@ private:
   const Surface& surface_;
   const Chart_packing& packing_;
   const Page_options& page_;
-  const Page_wishes& wishes_;
+  double min_coverage_;
+  const Cut_trade& trade_;
   const Execution& execution_;
   bool is_exhausted_ = false;
 };

@@ -86,6 +86,11 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
   return Merge_options();
 }
 
+ATLAS_INLINE double seam_exchange_rate(Atlas_mode mode)
+{
+  return mode == Atlas_mode::standard ? 0.5 : 0;
+}
+
 ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symmetry symmetry)
 {
   internal::require(mode != Atlas_mode::paper, "mode",

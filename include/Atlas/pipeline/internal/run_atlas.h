@@ -21,9 +21,10 @@ using Progress = std::function<bool(Stage, double)>;
 /// What charts do for their pages.
 struct Page_wishes
 {
-  double min_coverage = 0;       ///< charts are cut until they cover this share of the pages; 0: no such wish
-  double seam_exchange_rate = 0; ///< cuts that raise the density by this per added seam are made, both
-                                 ///< relative; 0: none
+  double min_coverage = 0; ///< charts are cut until they cover this share of the pages; 0: no such wish
+  /// Cuts that raise the density by this per added seam are made, both relative; 0: none; nothing: as the
+  /// mode says, where charts are the library's own.
+  std::optional<double> seam_exchange_rate;
   double min_texels_per_chart = 0; ///< smaller charts are enlarged
 };
 

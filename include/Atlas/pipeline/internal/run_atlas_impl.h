@@ -83,8 +83,26 @@ inline void check_page_wishes(const Atlas_request& request)
   require(wishes.min_coverage >= 0 && wishes.min_coverage < 1, "min_coverage", "must be in [0, 1)");
   require(wishes.min_coverage == 0 || request.page.density == 0, "min_coverage",
           "cannot be kept at a given density: the last page has what is left over");
-  require_not_negative(wishes.seam_exchange_rate, "seam_exchange_rate");
+  require_not_negative(wishes.seam_exchange_rate.value_or(0), "seam_exchange_rate");
   require_not_negative(wishes.min_texels_per_chart, "min_texels_per_chart");
+}
+
+/// When charts are cut for their pages. Who says which charts there are, or wants few, large or mirrored
+/// ones, gets them as they are, unless he gives a rate.
+inline Cut_trade cut_trade(const Atlas_request& request)
+{
+  if (request.wishes.seam_exchange_rate)
+    return {.rate = *request.wishes.seam_exchange_rate,
+            .is_for_density = *request.wishes.seam_exchange_rate > 0};
+  const Page_options& page = request.page;
+  const bool has_lists = !page.weights.empty() || !page.groups.empty() || !page.locked.empty();
+  const bool is_own = request.segmentation || request.parameterizer || request.optimizer ||
+                      request.validator || request.splitter;
+  const Merge_options merging = merge_options_of(request);
+  if (has_lists || is_own || merging.max_charts > 0 || merging.min_chart_area > 0 ||
+      request.symmetry != Symmetry::off)
+    return {};
+  return {seam_exchange_rate(request.mode), default_added_seam, request.mode != Atlas_mode::paper};
 }
 
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
@@ -102,8 +120,8 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
   const auto run = [&](const Surface& input) {
-    return Atlas_pipeline(input, policies, page, request.wishes, shared_parts(request), request.threads,
-                          request.progress)
+    return Atlas_pipeline(input, policies, page, request.wishes, cut_trade(request), shared_parts(request),
+                          request.threads, request.progress)
         .run(corner_uv);
   };
   if (!(request.hard_angle > 0) && !request.hiding)

@@ -33,7 +33,7 @@ struct Soup_options
   double min_chart_texels = 0;                   ///< 0: no such wish
   double hard_angle = 0;                         ///< degrees; 0: none
   double min_coverage = 0;                       ///< charts are cut for pages that full; 0: no such wish
-  double seam_exchange_rate = 0;                 ///< density that cuts have to bring for their seam; 0: none
+  std::optional<double> seam_exchange_rate;      ///< density that cuts have to bring; none: the mode's
   double min_texels_per_chart = 0;               ///< 0: no such wish
   bool keeps_uv = false;                         ///< charts are those of the soup's coordinates
   bool separates_materials = false;              ///< no chart has faces of two materials

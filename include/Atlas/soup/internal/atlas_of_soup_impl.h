@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace Atlas::internal {
 
@@ -70,6 +71,14 @@ inline Policies policies_of(const Soup_options& options)
   return policies;
 }
 
+/// Who wants few or large charts gets no more of them, unless he says so.
+inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
+{
+  if (!options.seam_exchange_rate && (options.max_charts > 0 || options.min_chart_texels > 0))
+    return 0;
+  return options.seam_exchange_rate;
+}
+
 ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polygon_soup& model,
                                         Surface& surface, std::vector<Point_2>& uv,
                                         const std::function<bool(Stage, double)>& progress)
@@ -79,7 +88,7 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
   const auto common = parameters::page_options(options.page)
                           .packer(Material_packer{surface, model, options.rules, policies.packer})
                           .min_coverage(options.min_coverage)
-                          .seam_exchange_rate(options.seam_exchange_rate)
+                          .seam_exchange_rate(seam_exchange_rate_of(options))
                           .min_texels_per_chart(options.min_texels_per_chart)
                           .number_of_threads(options.threads)
                           .progress(progress);

@@ -26,6 +26,7 @@ struct Chart_cut
   std::vector<Index> parts;  ///< per triangle: its piece
   Index number_of_parts = 0; ///< 0: there is no such cut
   double cost = 0;           ///< of the new seams
+  double length = 0;         ///< of the new seams, in space
   double gain = 0;           ///< room that is saved
   double rate = 0;           ///< what the cut is chosen by: gain over cost
 };
@@ -48,8 +49,11 @@ public:
 
   /// \param chart  with coordinates; outlives this object
   /// \param cost   per halfedge, the same on both sides: of a seam there; infinite where none may be
-  Chart_cut_finder(const Chart& chart, std::span<const double> cost, const Room_estimate& room)
-      : chart_(chart), cost_(cost), room_(room), opposite_(opposite_halfedges(chart.triangles))
+  /// \param most_cost  of a cut
+  Chart_cut_finder(const Chart& chart, std::span<const double> cost, const Room_estimate& room,
+                   double most_cost)
+      : chart_(chart), cost_(cost), room_(room), most_cost_(most_cost),
+        opposite_(opposite_halfedges(chart.triangles))
   {
     find_outer_border();
     link_vertices();
@@ -66,7 +70,10 @@ public:
     for (auto& list : found)
       candidates.insert(candidates.end(), list.begin(), list.end());
     keep_best(candidates, most_candidates);
-    const double before = room_(points_of(chart_.triangles));
+    std::vector<Vec2> border;
+    for (const Index v : outer_)
+      border.push_back(uv(v));
+    const double before = room_(std::move(border));
     for (const Candidate& candidate : candidates)
       if (Chart_cut cut = cut_along(candidate.path, before); cut.rate > result.rate)
         result = std::move(cut);
@@ -210,7 +217,7 @@ private:
       if (d > distance[v] || (on_outer_[v] && v != source))
         continue;
       for (Index i = first_[v]; i < first_[v + 1]; ++i)
-        if (const Link& link = links_[i]; d + link.cost < distance[link.to]) {
+        if (const Link& link = links_[i]; d + link.cost < distance[link.to] && d + link.cost <= most_cost_) {
           distance[link.to] = d + link.cost;
           last[link.to] = i;
           queue.emplace(distance[link.to], link.to);
@@ -265,13 +272,16 @@ private:
     candidates.resize(std::min(candidates.size(), number));
   }
 
-  std::vector<Vec2> points_of(std::span<const std::array<Index, 3>> triangles) const
+  /// Per piece, the points of its border.
+  std::vector<std::vector<Vec2>> borders_of(const Components& pieces) const
   {
-    std::vector<Vec2> points;
-    for (const auto& triangle : triangles)
-      for (const Index v : triangle)
-        points.push_back(uv(v));
-    return points;
+    std::vector<std::vector<Vec2>> borders(pieces.count);
+    for (Index h = 0; h < opposite_.size(); ++h)
+      if (const Index o = opposite_[h];
+          o == no_index || pieces.of_triangle[o / 3] != pieces.of_triangle[h / 3])
+        for (const Index v : {tail(h), tail(next_halfedge(h))})
+          borders[pieces.of_triangle[h / 3]].push_back(uv(v));
+    return borders;
   }
 
   /// What a cut along a path does: the pieces are those that the path parts.
@@ -288,16 +298,16 @@ private:
     Chart_cut cut;
     if (pieces.count < 2)
       return cut;
-    std::vector<std::vector<std::array<Index, 3>>> triangles(pieces.count);
-    for (std::size_t t = 0; t < chart_.triangles.size(); ++t)
-      triangles[pieces.of_triangle[t]].push_back(chart_.triangles[t]);
     cut.gain = before;
-    for (const auto& list : triangles)
-      cut.gain -= room_(points_of(list));
+    for (std::vector<Vec2>& border : borders_of(pieces))
+      cut.gain -= room_(std::move(border));
     for (Index h = 0; h < opposite_.size(); ++h)
       if (const Index o = opposite_[h];
-          o != no_index && o < h && pieces.of_triangle[h / 3] != pieces.of_triangle[o / 3])
+          o != no_index && o < h && pieces.of_triangle[h / 3] != pieces.of_triangle[o / 3]) {
         cut.cost += cost_[h];
+        cut.length +=
+            std::sqrt(CGAL::squared_distance(chart_.points[tail(h)], chart_.points[tail(next_halfedge(h))]));
+      }
     cut.rate = cut.gain / (cut.cost + least_cost * room_.side * (pieces.count - 1));
     cut.parts = std::move(pieces.of_triangle);
     cut.number_of_parts = pieces.count;
@@ -314,6 +324,7 @@ private:
   const Chart& chart_;
   std::span<const double> cost_;
   Room_estimate room_;
+  double most_cost_;
   std::vector<Index> opposite_;
   std::vector<Index> outer_; ///< vertices of the outer border in their order
   std::vector<bool> on_outer_;

@@ -41,6 +41,13 @@ struct Room_estimate
     return high - low;
   }
 
+  /// How many sides of the page a chart is long. O(n log n).
+  double sides(std::vector<Vec2> points) const
+  {
+    const Vec2 extent = extent_of(convex_hull(std::move(points)));
+    return std::max(extent.x, extent.y) / side;
+  }
+
   /// O(n log n) for n points, which are those of the chart's border.
   double operator()(std::vector<Vec2> points) const
   {
