@@ -62,7 +62,8 @@ Soup rope()
 
 Atlas_report straightened(const Surface& surface, std::vector<Point_2>& uv)
 {
-  const Atlas_report report = generate_atlas(surface, uv, parameters::straighten(true).texture_size(512));
+  const Atlas_report report =
+      generate_atlas(surface, uv, parameters::straighten(true).texture_size(512).seam_exchange_rate(0));
   EXPECT_TRUE(report.is_valid());
   return report;
 }

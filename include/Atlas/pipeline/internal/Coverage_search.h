@@ -113,7 +113,7 @@ public:
 
 private:
   /// Cuts that raise the density by less may as well owe it to luck.
-  static constexpr double least_gain = 0.02;
+  static constexpr double least_gain = 0.01;
 
   Cut_charts packed_now()
   {
