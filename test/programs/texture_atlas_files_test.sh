@@ -109,6 +109,25 @@ grep -q ', 1 of them on copies' stdout || fail "charts that look alike are apart
 make 0 0 copies.obj -o a.obj --stack copies
 grep -q ', 1 of them on copies' stdout || fail "copies are apart although nothing is baked: $(cat stdout)"
 
+# From another mesh: of two sheets in its cage, that which looks the same way, although the other is nearer.
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n' >low.obj
+printf 'OFF 8 4 0\n0 0 .01\n1 0 .01\n1 1 .01\n0 1 .01\n0 0 .005\n1 0 .005\n1 1 .005\n0 1 .005\n' >high.off
+printf '3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n3 6 5 4 0 255 0\n3 7 6 4 0 255 0\n' >>high.off
+make 0 0 low.obj -o a.obj --bake-from high.off --bake colors --bake normals
+[ "$(colors a_color.png)" = "(0, 0, 255) (255, 0, 0)" ] || fail "colours of another mesh: $(colors a_color.png)"
+[ "$(colors a_normal.png)" = "(128, 128, 255)" ] || fail "normals of another mesh: $(colors a_normal.png)"
+make 0 0 low.obj -o a.obj --bake-from high.off --bake tangent-normals
+[ "$(colors a_tangent_normal.png)" = "(128, 128, 255)" ] && grep -q '^vn 0 0 1' a.obj || fail "normals in tangent space: $(colors a_tangent_normal.png)"
+make 0 0 low.obj -o a.obj --bake-from high.off --bake colors --cage 0
+[ "$(colors a_color.png)" = "(0, 255, 0)" ] || fail "colours of nearest points: $(colors a_color.png)"
+make 0 0 low.obj -o a.obj --bake-from plain.obj --bake texture --cage 1
+[ "$(colors a_texture.png)" = "(0, 0, 255) (255, 0, 0)" ] || fail "materials of another mesh: $(colors a_texture.png)"
+make 3 1 low.obj -o a.obj --bake-from low.obj --bake colors
+grep -q 'low.obj: neither' stderr || fail "colours that are not there: $(cat stderr)"
+make 2 1 low.obj -o a.obj --bake-from high.off
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
+make 3 1 low.obj -o a.obj --bake-from line.obj --bake normals
+
 # A two-sided model is two sheets; vertices that hardly miss each other are one on request.
 python3 - <<'MESHES'
 def grid(n, turned):

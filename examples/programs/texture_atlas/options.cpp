@@ -178,17 +178,33 @@ void add_picture_options(CLI::App& app, Options& options)
                "report with all of them and the model to turn (.html)");
   app.add_option("--picture", options.picture,
                  "Also write one PNG picture with the page and the model side by side");
-  app.add_option(
-         "--bake", options.bakes,
-         "What to bake into the page: `colors` of the vertices (_color.png) or the old `texture` "
-         "(_texture.png) instead of the checkerboard; `normals` in the space of the model "
-         "(_normal.png) and ambient `occlusion` (_occlusion.png) beside it. May be given several times")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Bake>{{"colors", Bake::colors},
-                                                                      {"texture", Bake::texture},
-                                                                      {"normals", Bake::normals},
-                                                                      {"occlusion", Bake::occlusion}})
-                      .description("colors|texture|normals|occlusion"))
+  app.add_option("--bake", options.bakes,
+                 "What to bake into the page: `colors` of the vertices (_color.png) or the old `texture` "
+                 "(_texture.png) instead of the checkerboard; `normals` in the space of the model "
+                 "(_normal.png) or in tangent space (_tangent_normal.png, by MikkTSpace; the model gets "
+                 "normals if it has none) and ambient `occlusion` (_occlusion.png) beside it. May be given "
+                 "several times")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Bake>{{"colors", Bake::colors},
+                                                              {"texture", Bake::texture},
+                                                              {"normals", Bake::normals},
+                                                              {"tangent-normals", Bake::tangent_normals},
+                                                              {"occlusion", Bake::occlusion}})
+              .description("colors|texture|normals|tangent-normals|occlusion"))
       ->allow_extra_args(false);
+  CLI::Option* bake_from =
+      app.add_option(
+             "--bake-from", options.detail,
+             "Bake from another mesh of the same shape and place, such as the scan that MESH has been "
+             "simplified from: what its nearest face along the normal shows, which looks the same "
+             "way, or its nearest point where there is none within the cage. Without alpha")
+          ->needs("--bake");
+  app.add_option("--cage", options.cage,
+                 "How far that mesh is looked for along normals, as a share of the diagonal of its bounding "
+                 "box; 0 takes nearest points alone")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(bake_from)
+      ->capture_default_str();
 }
 
 /// Refuses options that tell how charts merge where they do not.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The files that the program leaves.
 #include <Atlas/IO/write_model.h>
-#include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/image/Image.h>
 #include <Atlas/image/internal/Output_file.h>
@@ -10,6 +9,7 @@
 #include <Atlas/report/write_report.h>
 #include <Atlas/soup/internal/face_distortion.h>
 
+#include "bakes.h"
 #include "texture_atlas.h"
 #include <algorithm>
 #include <filesystem>
@@ -56,74 +56,13 @@ private:
   std::vector<std::string> names_;
 };
 
-/// Pictures of all pages, and what their files are called.
-struct Textures
-{
-  std::vector<Atlas::Image> pages;
-  std::string suffix;
-};
-
-const char* suffix_of(Bake what)
-{
-  switch (what) {
-  case Bake::colors:
-    return "_color.png";
-  case Bake::texture:
-    return "_texture.png";
-  case Bake::normals:
-    return "_normal.png";
-  case Bake::occlusion:
-    return "_occlusion.png";
-  }
-  return "";
-}
-
-/// Bakes the pages of a model.
-class Baker
-{
-public:
-  Baker(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Source_textures& source,
-        const Atlas::Execution& execution)
-      : options_(options), model_(model), source_(source), execution_(execution)
-  {}
-
-  Textures operator()(Bake what) const
-  {
-    Textures result{{}, suffix_of(what)};
-    for (Atlas::Index page = 0; page < model_.number_of_pages(); ++page)
-      result.pages.push_back(image(what, page));
-    return result;
-  }
-
-private:
-  Atlas::Image image(Bake what, Atlas::Index page) const
-  {
-    const Atlas::Image_size size(options_.page.width, options_.page.height);
-    switch (what) {
-    case Bake::colors:
-      return Atlas::bake_vertex_colors(model_, size, page);
-    case Bake::texture:
-      return Atlas::transfer_texture(model_, size, source_, page, execution_);
-    case Bake::normals:
-      return Atlas::bake_normals(model_, size, page, execution_);
-    case Bake::occlusion:
-      return Atlas::bake_ambient_occlusion(model_, size, {}, page, execution_);
-    }
-    return {};
-  }
-
-  const Options& options_;
-  const Atlas::Polygon_soup& model_;
-  const Atlas::Source_textures& source_;
-  Atlas::Execution execution_;
-};
-
 /// What the model shows: its baked colours or texture, or a checkerboard on every page.
-Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& model, const Baker& bake)
+Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& model, const Baker& bake,
+                          const Atlas::Execution& execution)
 {
   for (const Bake what : {Bake::texture, Bake::colors})
     if (options.has(what))
-      return bake(what);
+      return bake(what, execution);
   const Atlas::Image_size page(options.page.width, options.page.height);
   const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
   const Atlas::Image board =
@@ -264,18 +203,22 @@ void add_pictures(Outputs& outputs, const Options& options, const Atlas::Polygon
 
 bool is_stacked_wrongly(const Options& options, const Input& input, const Atlas::Atlas_report& report)
 {
+  if (report.stacked_charts == 0)
+    return false;
   constexpr double tolerance = 0.02; // borders of charts that are equal need not be, texel by texel
   const Atlas::Polygon_soup& model = input.models.whole();
   const Atlas::Image_size size(report.page_width, report.page_height);
-  const auto differs = [&](const Atlas::Bake_shader& shader) {
+  const Baker baker(options, input, size);
+  const auto differs = [&](Bake what) {
+    if (!options.has(what))
+      return false;
+    const Atlas::Bake_shader shader = baker.shader(what);
     for (Atlas::Index page = 0; page < model.number_of_pages(); ++page)
       if (Atlas::differing_share(model, size, shader, page) > tolerance)
         return true;
     return false;
   };
-  return report.stacked_charts > 0 &&
-         ((options.has(Bake::texture) && differs(Atlas::texture_shader(model, size, input.source))) ||
-          (options.has(Bake::colors) && differs(Atlas::vertex_color_shader(model))));
+  return differs(Bake::texture) || differs(Bake::colors);
 }
 
 void check_outputs(const Options& options)
@@ -297,13 +240,15 @@ std::vector<std::string> write_outputs(const Options& options, Input& input,
   if (is_device) {
     outputs.add(output, Atlas::obj_text(model, ""));
   } else {
-    const Baker bake(options, model, input.source, execution);
-    const Textures textures = texture_of_model(options, model, bake);
+    if (options.has(Bake::tangent_normals)) // whoever shows them has to have the same normals
+      Atlas::add_normals(model);
+    const Baker bake(options, input, Atlas::Image_size(options.page.width, options.page.height));
+    const Textures textures = texture_of_model(options, model, bake, execution);
     clear_baked_colors(options, input);
     add_models(outputs, options, input.models, textures);
-    for (const Bake what : {Bake::normals, Bake::occlusion})
+    for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion})
       if (options.has(what)) {
-        const Textures further = bake(what);
+        const Textures further = bake(what, execution);
         add_textures(outputs, output, pngs_of(further), further.suffix);
       }
     add_pictures(outputs, options, model, textures, report);

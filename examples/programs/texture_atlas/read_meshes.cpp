@@ -9,6 +9,7 @@
 
 #include "texture_atlas.h"
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -16,20 +17,17 @@
 
 namespace {
 
-/// Refuses wishes that the meshes cannot fulfil.
-void check_wishes(const Options& options, const std::vector<Atlas::Polygon_soup>& soups)
+/// Refuses wishes that the meshes, or what is baked, cannot fulfil.
+void check_wishes(const Options& options, const std::vector<Atlas::Polygon_soup>& soups,
+                  const std::vector<Atlas::Polygon_soup>& baked)
 {
-  const auto check = [&](bool is_wanted, auto has, const char* what) {
-    if (is_wanted && std::none_of(soups.begin(), soups.end(), has))
-      throw Atlas::IO_error(options.name() + ": " + what);
-  };
-  check(
-      options.has(Bake::colors),
-      [](const auto& soup) { return !soup.colors.empty() || !soup.face_colors.empty(); },
-      "neither vertices nor faces have colours to bake");
-  check(
-      options.keeps_uv, [](const auto& soup) { return !soup.uv.empty(); },
-      "there are no texture coordinates in this file");
+  const auto has_colors = [](const auto& soup) { return !soup.colors.empty() || !soup.face_colors.empty(); };
+  if (options.has(Bake::colors) && std::none_of(baked.begin(), baked.end(), has_colors))
+    throw Atlas::IO_error((options.detail.empty() ? options.name() : options.detail) +
+                          ": neither vertices nor faces have colours to bake");
+  const auto has_uv = [](const auto& soup) { return !soup.uv.empty(); };
+  if (options.keeps_uv && std::none_of(soups.begin(), soups.end(), has_uv))
+    throw Atlas::IO_error(options.name() + ": there are no texture coordinates in this file");
 }
 
 /// What a reader has to say of a file.
@@ -42,13 +40,13 @@ void print_warnings(const Options& options, const std::string& file, const std::
 }
 
 /// The textures of all meshes, face by face. \throw Atlas::IO_error if there are none
-Atlas::Source_textures read_all_textures(const Options& options,
+Atlas::Source_textures read_all_textures(const Options& options, const std::vector<std::string>& files,
                                          const std::vector<Atlas::Polygon_soup>& soups)
 {
   Atlas::Source_textures all;
   for (std::size_t i = 0; i < soups.size(); ++i) {
-    Atlas::Source_textures own = Atlas::read_textures(options.meshes[i], soups[i]);
-    print_warnings(options, options.meshes[i], own.warnings);
+    Atlas::Source_textures own = Atlas::read_textures(files[i], soups[i]);
+    print_warnings(options, files[i], own.warnings);
     own.face_texture.resize(soups[i].number_of_faces(), Atlas::no_index);
     const auto before = static_cast<Atlas::Index>(all.textures.size());
     for (const Atlas::Index texture : own.face_texture)
@@ -57,7 +55,7 @@ Atlas::Source_textures read_all_textures(const Options& options,
   }
   if (std::all_of(all.face_texture.begin(), all.face_texture.end(),
                   [](Atlas::Index texture) { return texture == Atlas::no_index; }))
-    throw Atlas::IO_error(options.name() + ": there is no texture and no colour of a material to bake");
+    throw Atlas::IO_error(files.front() + ": there is no texture and no colour of a material to bake");
   return all;
 }
 
@@ -74,6 +72,26 @@ Atlas::Surface surface_of(const Options& options, Atlas::Polygon_soup& soup)
   return Atlas::build_surface(std::move(points), soup.first, soup.vertices);
 }
 
+/// The mesh that bakes are made from.
+Atlas::Polygon_soup read_detail(const Options& options)
+{
+  Atlas::Polygon_soup soup = Atlas::read_polygon_soup(options.detail);
+  print_warnings(options, options.detail, soup.warnings);
+  if (options.turns_faces)
+    Atlas::orient_faces(soup);
+  const Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
+  const auto has_area = [&](const auto& triangle) {
+    return !CGAL::collinear(surface.points[triangle[0]], surface.points[triangle[1]],
+                            surface.points[triangle[2]]);
+  };
+  if (std::none_of(surface.triangles.begin(), surface.triangles.end(), has_area))
+    throw Atlas::IO_error(options.detail + ": no face has an area");
+  if (soup.uv.empty())
+    soup.uv.assign(soup.number_of_corners(), Atlas::Point_2(NAN, NAN));
+  soup.old_uv = soup.uv;
+  return soup;
+}
+
 } // namespace
 
 Input read_meshes(const Options& options)
@@ -85,11 +103,16 @@ Input read_meshes(const Options& options)
     print_warnings(options, file, soups.back().warnings);
     surfaces.push_back(surface_of(options, soups.back()));
   }
-  check_wishes(options, soups);
+  std::vector<Atlas::Polygon_soup> detail;
+  if (!options.detail.empty())
+    detail.push_back(read_detail(options));
+  check_wishes(options, soups, detail.empty() ? soups : detail);
   Atlas::Source_textures source;
   if (options.has(Bake::texture))
-    source = read_all_textures(options, soups);
+    source = detail.empty() ? read_all_textures(options, options.meshes, soups)
+                            : read_all_textures(options, {options.detail}, detail);
   Atlas::Surface surface =
       surfaces.size() == 1 ? std::move(surfaces.front()) : Atlas::join_surfaces(surfaces);
-  return {Atlas::Joined_soups(std::move(soups)), std::move(surface), std::move(source)};
+  return {Atlas::Joined_soups(std::move(soups)), std::move(surface), std::move(source),
+          detail.empty() ? Atlas::Polygon_soup() : std::move(detail.front())};
 }

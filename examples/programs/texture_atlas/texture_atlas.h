@@ -20,7 +20,7 @@
 #include <vector>
 
 /// What the texture of the model shows, or a further picture beside it.
-enum class Bake { colors, texture, normals, occlusion };
+enum class Bake { colors, texture, normals, occlusion, tangent_normals };
 
 struct Options : Packing_options
 {
@@ -43,6 +43,8 @@ struct Options : Packing_options
   double time_limit = 0; ///< seconds; 0: none
   int uv_set = 0;        ///< the number of the new coordinates in a glTF document
   double weld = 0;       ///< vertices nearer than this share of the model's size are one; 0: only equal ones
+  std::string detail;    ///< the mesh that bakes are made from; empty: the meshes themselves
+  double cage = 0.02;    ///< how far it is looked for along normals, as a share of its diagonal
 
   bool has(Bake bake) const;
   /// The meshes, for messages: their files as they were given.
@@ -66,7 +68,8 @@ struct Input
 {
   Atlas::Joined_soups models;
   Atlas::Surface surface;        ///< of all of them
-  Atlas::Source_textures source; ///< if they are to be baked
+  Atlas::Source_textures source; ///< of what is baked, if they are to be
+  Atlas::Polygon_soup detail; ///< what is baked, if it is another mesh; its coordinates are in `old_uv` too
 };
 
 /// Reads all meshes. \throw Atlas::IO_error if one cannot be read, or lacks what has been asked for

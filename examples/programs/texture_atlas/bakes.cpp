@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "bakes.h"
+
+#include <utility>
+
+namespace {
+
+const char* suffix_of(Bake what)
+{
+  switch (what) {
+  case Bake::colors:
+    return "_color.png";
+  case Bake::texture:
+    return "_texture.png";
+  case Bake::normals:
+    return "_normal.png";
+  case Bake::tangent_normals:
+    return "_tangent_normal.png";
+  case Bake::occlusion:
+    return "_occlusion.png";
+  }
+  return "";
+}
+
+Atlas::Bake_shader color_of(Atlas::Bake_normal normal)
+{
+  return [normal = std::move(normal)](const Atlas::Bake_sample& sample) {
+    return Atlas::color_of_normal(normal(sample));
+  };
+}
+
+/// What a texel shows of a mesh, given its place on it.
+Atlas::Bake_shader shader_of(Bake what, const Atlas::Polygon_soup& mesh, Atlas::Image_size size,
+                             const Atlas::Source_textures& source)
+{
+  switch (what) {
+  case Bake::colors:
+    return Atlas::vertex_color_shader(mesh);
+  case Bake::texture:
+    return Atlas::texture_shader(mesh, size, source);
+  case Bake::normals:
+  case Bake::tangent_normals:
+    return color_of(Atlas::shading_normal(mesh));
+  case Bake::occlusion:
+    return Atlas::occlusion_shader(mesh);
+  }
+  return {};
+}
+
+} // namespace
+
+Baker::Baker(const Options& options, const Input& input, Atlas::Image_size size) : input_(input), size_(size)
+{
+  if (!options.detail.empty() && !options.bakes.empty())
+    place_ = Atlas::place_on(input.models.whole(), input.detail, options.cage);
+}
+
+Atlas::Bake_shader Baker::shader(Bake what) const
+{
+  const Atlas::Polygon_soup &model = input_.models.whole(), &shown = place_ ? input_.detail : model;
+  const auto at_place = [&](auto shader) -> decltype(shader) {
+    if (!place_)
+      return shader;
+    return [place = place_, shader](const Atlas::Bake_sample& sample) { return shader(place(sample)); };
+  };
+  if (what == Bake::tangent_normals)
+    return color_of(Atlas::in_tangent_space(model, at_place(Atlas::shading_normal(shown))));
+  return at_place(shader_of(what, shown, size_, input_.source));
+}
+
+Textures Baker::operator()(Bake what, const Atlas::Execution& execution) const
+{
+  Textures result{{}, suffix_of(what)};
+  for (Atlas::Index page = 0; page < input_.models.whole().number_of_pages(); ++page)
+    result.pages.push_back(image(what, page, execution));
+  return result;
+}
+
+Atlas::Image Baker::image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const
+{
+  const Atlas::Polygon_soup& model = input_.models.whole();
+  if (what == Bake::texture && !place_) // with alpha
+    return Atlas::transfer_texture(model, size_, input_.source, page, execution);
+  return Atlas::bake_texture(model, size_, shader(what), page, execution);
+}

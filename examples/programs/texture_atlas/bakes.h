@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Pictures of what is baked.
+#ifndef BAKES_H
+#define BAKES_H
+
+#include <Atlas/bake/bake_ambient_occlusion.h>
+#include <Atlas/bake/bake_texture.h>
+#include <Atlas/core/Execution.h>
+#include <Atlas/image/Image.h>
+
+#include "texture_atlas.h"
+#include <string>
+#include <vector>
+
+/// Pictures of all pages, and what their files are called.
+struct Textures
+{
+  std::vector<Atlas::Image> pages;
+  std::string suffix;
+};
+
+/// Bakes the pages of the model, from itself or from the mesh that has been given for it.
+class Baker
+{
+public:
+  /// \param size  of the pages. The input must outlive the baker
+  Baker(const Options& options, const Input& input, Atlas::Image_size size);
+
+  Textures operator()(Bake what, const Atlas::Execution& execution) const;
+
+  /// What a texel shows of that, without alpha.
+  Atlas::Bake_shader shader(Bake what) const;
+
+private:
+  Atlas::Image image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const;
+
+  const Input& input_;
+  Atlas::Image_size size_;
+  Atlas::Bake_place place_; ///< on the other mesh; empty: there is none
+};
+
+#endif
