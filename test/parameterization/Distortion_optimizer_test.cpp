@@ -8,6 +8,7 @@
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
 #include <Atlas/parameterization/internal/distortion/chart_hierarchy.h>
+#include <Atlas/parameterization/internal/distortion/distortion_minimizer.h>
 #include <Atlas/parameterization/internal/geometry/border.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
@@ -27,6 +28,15 @@ using test::mean_energy;
 using test::spiral;
 
 static_assert(UVOptimizer<Symmetric_dirichlet_optimizer>);
+
+TEST(Distortion_minimizer, takes_fewer_steps_with_large_charts)
+{
+  EXPECT_EQ(internal::affordable_steps(0, 60), 60u);
+  EXPECT_EQ(internal::affordable_steps(1000, 60), 60u);
+  EXPECT_EQ(internal::affordable_steps(50'000, 60), 20u);
+  EXPECT_EQ(internal::affordable_steps(10'000'000, 60), 8u);
+  EXPECT_EQ(internal::affordable_steps(10'000'000, 3), 3u);
+}
 
 TEST(Symmetric_dirichlet_optimizer, reaches_the_isometry_where_there_is_one)
 {

@@ -23,6 +23,14 @@ namespace Atlas::internal {
 /// have area left when their coordinates are rounded to single precision.
 inline constexpr double least_optimized_height = 1e-4;
 
+/// How many steps a chart may take: smooth ones take a few at any size, rough ones would take hundreds to
+/// gain little. So large charts get as many as bound the product with their vertices.
+inline std::size_t affordable_steps(std::size_t vertices, std::size_t max_steps)
+{
+  constexpr std::size_t vertices_of_steps = 1'000'000, least = 8;
+  return std::min(max_steps, std::max(least, vertices_of_steps / std::max<std::size_t>(vertices, 1)));
+}
+
 /// \brief Minimises an isotropic distortion energy over the maps of a chart without flips, by Newton's method
 /// with positive semidefinite blocks. Once the border is simple it stays so.
 template <typename Energy>
@@ -68,10 +76,11 @@ public:
   /// \return how many there were
   std::size_t minimize(std::size_t max_steps, double tolerance, double target, const Execution& execution)
   {
+    max_steps = affordable_steps(u_.size(), max_steps);
     std::size_t steps = 0;
     double decrease = 1;
-    while (steps < max_steps && decrease > tolerance && mean_energy() > target && execution.proceed() &&
-           step(decrease))
+    while (steps < max_steps && decrease > tolerance && !(target > 0 && mean_energy() <= target) &&
+           execution.proceed() && step(decrease))
       ++steps;
     return steps;
   }
@@ -223,7 +232,8 @@ private:
     const auto& corner = chart_.triangles[t];
     const Rest_triangle& rest = rest_[t];
     const auto [f, g] = derivative(rest, u_[corner[0]], u_[corner[1]], u_[corner[2]]);
-    const double r = std::abs(f), s = std::abs(g);
+    // Square roots: `std::abs` takes several times as long, and guards against overflow that cannot be here.
+    const double r = std::sqrt(std::norm(f)), s = std::sqrt(std::norm(g));
     const Complex ef = f / r, eg = s > 0 ? g / s : Complex(1);
     const Triangle_energy d = function_.derivatives(r + s, r - s);
 
