@@ -3,7 +3,11 @@
 #define ATLAS_SOUP_JOINED_SOUPS_H
 
 #include <Atlas/core/Kernel.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/core/mesh_concepts.h>
+#include <Atlas/core/parameters.h>
 #include <Atlas/soup/Polygon_soup.h>
+#include <Atlas/soup/internal/soup_of_mesh.h>
 
 #include <cstddef>
 #include <string>
@@ -63,6 +67,55 @@ private:
   std::size_t number_of_points_ = 0;
   std::vector<Part> parts_; ///< one more closes
 };
+
+/// \brief A mesh as a soup, so that every writer and every bake takes it.
+///
+/// \param mesh  triangles, quads or any polygons
+/// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`
+/// \param np    CGAL's `vertex_normal_map`, `vertex_color_map` and `face_color_map` (to colours of CGAL, or
+/// to
+///              three or four numbers in [0, 1]), `face_patch_map` (to names or numbers of materials),
+///              `vertex_point_map`, `vertex_index_map`; `face_page_map`
+///
+/// Vertices are in the order of their indices, faces in that of the mesh, corners in that of the halfedges
+/// around a face. Linear. \throw Invalid_argument a vertex index is not in [0, vertices)
+template <FaceListMesh Mesh, ReadableHalfedgeUVMap<Mesh> HalfedgeUVMap, typename T = bool,
+          typename Tag = CGAL::internal_np::all_default_t, typename Base = CGAL::internal_np::No_property>
+Polygon_soup soup_of(const Mesh& mesh, HalfedgeUVMap uv,
+                     const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
+{
+  using namespace internal;
+  namespace names = CGAL::internal_np;
+  Only_names<names::vertex_normal_map_t, names::vertex_color_map_t, names::face_color_map_t,
+             names::face_patch_t, names::vertex_point_t, names::vertex_index_t, face_page_map_t>::check(&np);
+  Polygon_soup soup;
+  const Mesh_arrays<Mesh> arrays = read_faces(mesh, np, soup);
+  soup.uv = read_corner_uv(arrays, uv);
+  soup.face_page = read_face_numbers(arrays, parameter<face_page_map_t>(np));
+  read_normals(mesh, arrays, soup, parameter<names::vertex_normal_map_t>(np));
+  read_vertex_colors(mesh, arrays, soup, parameter<names::vertex_color_map_t>(np));
+  read_face_colors(arrays, soup, parameter<names::face_color_map_t>(np));
+  read_materials(arrays, soup, parameter<names::face_patch_t>(np));
+  return soup;
+}
+
+/// \brief Puts the coordinates of a soup into a map of the mesh that `soup_of()` has made it of, or of one
+/// with as many corners in the same order. Linear. \throw Invalid_argument the soup has not a coordinate for
+/// each corner of the mesh
+template <FaceListMesh Mesh, WritableHalfedgeUVMap<Mesh> HalfedgeUVMap>
+void put_uv(const Polygon_soup& soup, const Mesh& mesh, HalfedgeUVMap uv)
+{
+  std::size_t corner = 0;
+  for (const auto f : faces(mesh))
+    for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      internal::require(corner < soup.uv.size(), "soup",
+                        "must have a coordinate for each corner of the mesh");
+      const Point_2& p = soup.uv[corner++];
+      put(uv, h, typename boost::property_traits<HalfedgeUVMap>::value_type(p.x(), p.y()));
+    }
+  internal::require(corner == soup.uv.size(), "soup",
+                    "must have no more coordinates than the mesh has corners");
+}
 
 } // namespace Atlas
 
