@@ -117,8 +117,8 @@ TEST(Net_layout, estimated_fullness_of_a_page_is_that_of_the_packer)
   for (const double share : {0.2, 0.3, 0.4, 0.5})
     for (unsigned variation = 0; variation < 8; ++variation) {
       Net_builder builder(parts);
-      builder.glue_rulings(share);
-      builder.glue_creases({0.01, share, variation});
+      builder.glue_rulings(share, Execution(1));
+      builder.glue_creases({0.01, share, variation}, Execution(1));
       Page_options page;
       page.width = page.height = 512;
       page.gutter = 1;
