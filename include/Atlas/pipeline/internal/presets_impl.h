@@ -55,7 +55,7 @@ inline Distortion_bound kept_bound(const Merge_options& options)
 /// Who tells how well nets fill a page: that nets are compared takes one search, not the best of several.
 inline Any_packer trial_packer()
 {
-  Search_budget budget;
+  Search_budget budget = racing_budget();
   budget.searches = 1;
   budget.max_charts = max_charts_of_fast_search;
   return Page_packer(Raster_engine{budget});

@@ -15,7 +15,7 @@ inline Search_budget search_budget(Packing_effort effort)
   Search_budget result;
   switch (effort) {
   case Packing_effort::fast:
-    result.rounds = 1;
+    result = racing_budget();
     result.max_charts = max_charts_of_fast_search;
     break;
   case Packing_effort::normal:

@@ -28,6 +28,8 @@ struct Search_budget
   unsigned searches = 4;            ///< side by side
   std::uint64_t round = 36'000'000; ///< operations of each search between two looks at the others
   unsigned rounds = 1;
+  /// Whether it is a race: searches that fall behind drop out, and all end as soon as a round gains little.
+  bool is_race = false;
 
   /// What that many shapes are worth: few have been tried in every way soon.
   std::uint64_t round_for(std::size_t shapes) const
@@ -42,6 +44,16 @@ struct Search_budget
   static constexpr std::size_t many_shapes = 2000;
 };
 
+/// A race, for when time is short: about one round of the default, in parts of which most are not run.
+inline Search_budget racing_budget()
+{
+  Search_budget budget;
+  budget.is_race = true;
+  budget.rounds = 4;
+  budget.round = 11'000'000;
+  return budget;
+}
+
 /// Up to that many shapes look for places by their overlaps; beyond, overlaps of all pairs are too many.
 inline constexpr std::size_t max_shapes_of_exploration = 400;
 /// Up to that many shapes, taking out and putting back gains less than looking for other layouts.
@@ -49,6 +61,10 @@ inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 
 /// A search whose scale is that much below the best one's has little hope to catch up.
 inline constexpr double most_lag = 0.012;
+/// A round that raises the scale by less than this ends a race.
+inline constexpr double least_gain_of_round = 0.0004;
+/// The share of searches that stays in a race after each round.
+inline constexpr double share_in_race = 0.6;
 
 /// The largest scale that layouts are likely to reach, by which shapes are made fine enough.
 inline double likely_scale(const Outlines& outlines, double side, double fallback)
@@ -61,8 +77,8 @@ inline Shape_resolution search_resolution(const Packing_problem& problem, double
 {
   Shape_resolution resolution;
   resolution.tolerance = problem.tolerance / scale;
-  resolution.spacing = side / 256 / scale;
-  resolution.cell = side / 512 / scale;
+  resolution.spacing = side / 128 / scale;
+  resolution.cell = side / 256 / scale;
   resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
   resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
   return resolution;
@@ -127,41 +143,82 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles
   return problem;
 }
 
-/// The best layout of several searches at a scale of at most `most_scale`; its scale is 0 if there is none.
-inline Shape_layout search_layout(const Packing_problem& problem, const Search_budget& budget,
-                                  double most_scale, const Execution& execution)
+/// \brief Several searches for one layout, which take turns in looking at each other.
+class Joint_search
 {
-  const std::size_t n = problem.shapes.size();
-  std::vector<Packing_search> searches;
-  for (unsigned k = 0; k < budget.searches_for(n); ++k)
-    searches.emplace_back(problem, k);
-  const auto best = [&] {
-    return std::max_element(searches.begin(), searches.end(),
-                            [](const auto& a, const auto& b) { return a.best().scale < b.best().scale; });
-  };
-  execution.for_each(searches.size(), [&](std::size_t k) { searches[k].start(execution); });
-  const unsigned rounds = budget.rounds_for(n);
-  for (unsigned r = 0; r < rounds && best()->best().scale < most_scale; ++r) {
-    if (!execution.proceed((r + 1.0) / (rounds + 1)))
-      break;
-    execution.for_each(searches.size(), [&](std::size_t k) {
-      const std::uint64_t limit = searches[k].work() + budget.round_for(n);
-      if (n <= max_shapes_of_pure_exploration || (n <= max_shapes_of_exploration && (r + k) % 2 == 0))
-        searches[k].explore(limit, execution);
-      else
-        searches[k].run(limit, execution);
-    });
-    // Searches that are far behind go on from where the best is.
-    const auto leader = best();
-    for (auto it = searches.begin(); it != searches.end(); ++it)
-      if (it->best().scale < (1 - most_lag) * leader->best().scale)
-        it->restart(leader->best());
+public:
+  Joint_search(const Packing_problem& problem, const Search_budget& budget)
+      : budget_(budget), shapes_(problem.shapes.size())
+  {
+    for (unsigned k = 0; k < budget.searches_for(shapes_); ++k)
+      searches_.emplace_back(problem, k);
+    active_ = searches_.size();
   }
-  const auto winner = best();
-  if (winner->best().scale > most_scale && !winner->shrink(most_scale))
-    return {};
-  return winner->best();
-}
+
+  /// The best layout at a scale of at most `most_scale`; its scale is 0 if there is none.
+  Shape_layout run(double most_scale, const Execution& execution)
+  {
+    execution.for_each(searches_.size(), [&](std::size_t k) { searches_[k].start(execution); });
+    const unsigned rounds = budget_.rounds_for(shapes_);
+    for (unsigned r = 0; r < rounds && best().best().scale < most_scale; ++r) {
+      const double before = best().best().scale;
+      if (!execution.proceed((r + 1.0) / (rounds + 1)))
+        break;
+      run_round(r, execution);
+      catch_up();
+      if (budget_.is_race && best().best().scale < (1 + least_gain_of_round) * before)
+        break;
+    }
+    Packing_search& winner = best();
+    if (winner.best().scale > most_scale && !winner.shrink(most_scale))
+      return {};
+    return winner.best();
+  }
+
+private:
+  static bool is_behind(const Packing_search& a, const Packing_search& b)
+  {
+    return a.best().scale < b.best().scale;
+  }
+  Packing_search& best() { return *std::max_element(searches_.begin(), searches_.end(), is_behind); }
+
+  void run_round(unsigned r, const Execution& execution)
+  {
+    if (budget_.is_race && r > 0)
+      drop_out();
+    const std::size_t n = shapes_;
+    execution.for_each(active_, [&](std::size_t k) {
+      Packing_search& search = searches_[k];
+      const std::uint64_t limit = search.work() + budget_.round_for(n);
+      if (n <= max_shapes_of_pure_exploration || (n <= max_shapes_of_exploration && (r + k) % 2 == 0))
+        search.explore(limit, execution);
+      else
+        search.run(limit, execution);
+    });
+  }
+
+  /// Brings the searches that stay in the race to the front.
+  void drop_out()
+  {
+    std::stable_sort(searches_.begin(), searches_.end(),
+                     [](const Packing_search& a, const Packing_search& b) { return is_behind(b, a); });
+    active_ = static_cast<std::size_t>(std::ceil(share_in_race * static_cast<double>(active_)));
+  }
+
+  /// Searches that are far behind go on from where the best is.
+  void catch_up()
+  {
+    const Shape_layout leader = best().best();
+    for (Packing_search& search : searches_)
+      if (search.best().scale < (1 - most_lag) * leader.scale)
+        search.restart(leader);
+  }
+
+  Search_budget budget_;
+  std::size_t shapes_;
+  std::vector<Packing_search> searches_; ///< those that still run first
+  std::size_t active_ = 0;
+};
 
 /// The layout of the raster packer at the largest scale it finds, at most the one wanted: the best there is
 /// of a single outline; of several that of the horizon packer, or around obstacles a simple one on a raster,
@@ -184,7 +241,7 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
   const Packing_problem problem = packing_problem(outlines, obstacles, page, *result, execution);
   if (execution.is_cancelled())
     return result;
-  const Shape_layout found = search_layout(problem, budget, page.most_scale, execution);
+  const Shape_layout found = Joint_search(problem, budget).run(page.most_scale, execution);
   if (found.scale <= result->scale)
     return result;
   result->scale = found.scale;
