@@ -149,11 +149,11 @@ void print_unwelded(const Options& options, const Atlas::Polygon_soup& model, co
   constexpr double near = 1e-5;
   if (options.weld > 0 || options.meshes.size() > 1 || report.charts.size() < many_charts)
     return;
+  const auto before = open_halfedges(surface);
   std::vector<Atlas::Point_3> points = model.points;
-  if (Atlas::internal::weld_points(points, near) == 0)
+  if (before == 0 || Atlas::internal::weld_points(points, near) == 0)
     return;
-  const auto before = open_halfedges(surface),
-             after = open_halfedges(Atlas::build_surface(std::move(points), model.first, model.vertices));
+  const auto after = open_halfedges(Atlas::build_surface(std::move(points), model.first, model.vertices));
   if (2 * after < before)
     std::fprintf(
         stderr,

@@ -55,8 +55,8 @@ enum class Symmetry {
 
 /// \brief Charts that are mirrored where the surface is: the charts of one half, and their mirror images.
 ///
-/// A plane is sought at which the surface is its own mirror image, within half a hundredth of the diagonal of
-/// the bounding box; its mesh may be another one. The triangles on one side of it are segmented alone. The
+/// A plane is sought at which the surface is its own mirror image, within 0.5 % of the diagonal of the
+/// bounding box; its mesh may be another one. The triangles on one side of it are segmented alone. The
 /// charts of the other side are their images, triangle by triangle where the mesh is symmetric, else as near
 /// as its edges allow. Charts that reach the plane go on beyond it: they are flattened for trial together
 /// with their image. The seam is on the plane only where such a chart has more than one piece of the plane,

@@ -5,6 +5,7 @@
 #include <Atlas/planar/internal/vectors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +32,18 @@ inline std::vector<Vec2> convex_hull(std::vector<Vec2> points)
   chain(points.begin(), points.end());
   chain(points.rbegin(), points.rend());
   return hull;
+}
+
+/// Width and height of the bounding rectangle with a side in the direction `e`.
+inline Vec2 size_along(const std::vector<Vec2>& points, Vec2 e)
+{
+  const Vec2 up{-e.y, e.x};
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const Vec2 p : points) {
+    low = {std::min(low.x, dot(e, p)), std::min(low.y, dot(up, p))};
+    high = {std::max(high.x, dot(e, p)), std::max(high.y, dot(up, p))};
+  }
+  return high - low;
 }
 
 /// The area of a polygon, counterclockwise, in double precision.

@@ -28,23 +28,11 @@ struct Room_estimate
   /// Charts of up to so many sides of the page lie on it askew.
   static constexpr double longest = 1.1;
 
-  /// The least bounding rectangle of a hull: its sides.
-  static Vec2 extent_of(const std::vector<Vec2>& hull)
-  {
-    const Vec2 along = least_rectangle_direction(hull);
-    Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-    for (const Vec2& p : hull) {
-      const Vec2 q{dot(along, p), cross(along, p)};
-      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-      high = {std::max(high.x, q.x), std::max(high.y, q.y)};
-    }
-    return high - low;
-  }
-
   /// How many sides of the page a chart is long. O(n log n).
   double sides(std::vector<Vec2> points) const
   {
-    const Vec2 extent = extent_of(convex_hull(std::move(points)));
+    const std::vector<Vec2> hull = convex_hull(std::move(points));
+    const Vec2 extent = size_along(hull, least_rectangle_direction(hull));
     return std::max(extent.x, extent.y) / side;
   }
 
@@ -52,7 +40,7 @@ struct Room_estimate
   double operator()(std::vector<Vec2> points) const
   {
     const std::vector<Vec2> hull = convex_hull(std::move(points));
-    const Vec2 extent = extent_of(hull);
+    const Vec2 extent = size_along(hull, least_rectangle_direction(hull));
     const double solid = (extent.x * extent.y + polygon_area(hull)) / 2 + gutter * (extent.x + extent.y);
     const double excess = std::max(extent.x, extent.y) / (longest * side);
     return solid + share_of_size * solid * std::sqrt(solid) / side +

@@ -155,7 +155,8 @@ struct Power_of_energy
 
   double value(double r2, double s2) const
   {
-    return isometry * power(energy.value(r2, s2) / isometry, exponent);
+    const double plain = energy.value(r2, s2);
+    return exponent == 1 ? plain : isometry * power(plain / isometry, exponent);
   }
 
   /// The second derivatives are p (E / e)^(p-1) times those of E, plus the square of its gradient, which is

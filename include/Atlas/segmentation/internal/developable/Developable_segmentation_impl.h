@@ -21,7 +21,7 @@ ATLAS_INLINE Segmentation Developable_segmentation::segment(const Surface& surfa
                                                             const Execution& execution) const
 {
   internal::Nets nets = internal::Net_finder(surface, packer_, execution)();
-  if (nets.count == 0)
+  if (nets.count == 0 || (max_charts_ > 0 && nets.count > max_charts_))
     return rest_.segment(surface, execution);
   Segmentation result{std::move(nets.of_triangle), std::move(nets.cut), nets.count};
   std::vector<Index> global;

@@ -83,18 +83,6 @@ struct Extent
   double room() const { return (rectangle + hull) / 2; }
 };
 
-/// Width and height of the bounding rectangle with a side in the direction `e`.
-inline Vec2 size_along(const std::vector<Vec2>& points, Vec2 e)
-{
-  const Vec2 up{-e.y, e.x};
-  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (const Vec2 p : points) {
-    low = {std::min(low.x, dot(e, p)), std::min(low.y, dot(up, p))};
-    high = {std::max(high.x, dot(e, p)), std::max(high.y, dot(up, p))};
-  }
-  return high - low;
-}
-
 /// What has a dominant direction will lie along it on the page, as packers place it
 /// (`Chart_rotation::aligned`); all else as it takes least room.
 inline Extent extent_of_hull(const std::vector<Vec2>& hull, const Alignment& border)

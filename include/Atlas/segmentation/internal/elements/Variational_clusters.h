@@ -4,6 +4,7 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/segmentation/internal/elements/Element_graph.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -145,12 +146,6 @@ public:
 private:
   /// What it costs to cross a cluster's radius of cheapest seams, in units of |n - N|^2.
   static constexpr double weight_of_reluctance = 0.3;
-
-  static Vector_3 unit(const Vector_3& v)
-  {
-    const double length = std::sqrt(v.squared_length());
-    return length > 0 ? v / length : Vector_3(0, 0, 0);
-  }
 
   void set_radius()
   {

@@ -49,12 +49,6 @@ private:
   /// The direction across the edge into the triangle of h.
   Vector_3 inward(Index h) const { return unit(CGAL::cross_product(normals_[h / 3], along(h))); }
 
-  static Vector_3 unit(const Vector_3& v)
-  {
-    const double length = std::sqrt(v.squared_length());
-    return length > 0 ? v / length : Vector_3(0, 0, 0);
-  }
-
   /// Along the way that starts across h, from its middle.
   Vector_3 mean_normal(Index h) const
   {

@@ -52,6 +52,13 @@ inline Vector_3 unit_normal(const Surface& surface, Index t)
   return length > 0 ? n / length : Vector_3(0, 0, 0);
 }
 
+/// A vector over its length; the zero vector stays.
+inline Vector_3 unit(const Vector_3& v)
+{
+  const double length = std::sqrt(v.squared_length());
+  return length > 0 ? v / length : Vector_3(0, 0, 0);
+}
+
 /// The angle between two vectors in [0, pi]; zero if one of them is zero.
 inline double angle_between(const Vector_3& a, const Vector_3& b)
 {

@@ -6,6 +6,7 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/bounding_box.h>
 #include <Atlas/core/internal/halfedges.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 #include <Atlas/segmentation/internal/visibility/Depth_image.h>
 
 #include <algorithm>
@@ -14,24 +15,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
+
+/// Two unit vectors at right angles to a unit vector and to each other.
+inline std::pair<Vector_3, Vector_3> vectors_across(const Vector_3& axis)
+{
+  const Vector_3 beside = std::abs(axis.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
+  const Vector_3 u = unit(CGAL::cross_product(axis, beside));
+  return {u, CGAL::cross_product(axis, u)};
+}
 
 /// Unit directions spread evenly over the cap around an axis, on a spiral.
 /// \param angle  of the cap, from the axis to its rim, in radians; pi: the whole sphere
 inline std::vector<Vector_3> directions_of_cap(const Vector_3& axis, double angle, int count)
 {
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  const Vector_3 beside = std::abs(axis.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
-  Vector_3 u = CGAL::cross_product(axis, beside);
-  u = u / std::sqrt(u.squared_length());
-  const Vector_3 v = CGAL::cross_product(axis, u);
+  const std::pair<Vector_3, Vector_3> across = vectors_across(axis);
   std::vector<Vector_3> directions;
   for (int i = 0; i < count; ++i) {
     const double height = 1 - (1 - std::cos(angle)) * (i + 0.5) / count;
     const double radius = std::sqrt(1 - height * height), turn = golden_angle * i;
-    directions.push_back(height * axis + radius * std::cos(turn) * u + radius * std::sin(turn) * v);
+    directions.push_back(height * axis + radius * std::cos(turn) * across.first +
+                         radius * std::sin(turn) * across.second);
   }
   return directions;
 }
@@ -101,12 +109,10 @@ private:
   /// Per vertex, whether its front (1) or its back (2) is seen from afar.
   std::vector<std::uint8_t> look(const Vector_3& d) const
   {
-    const Vector_3 beside = std::abs(d.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
-    Vector_3 u = CGAL::cross_product(d, beside);
-    u = u / std::sqrt(u.squared_length());
-    const Vector_3 v = CGAL::cross_product(d, u);
+    const std::pair<Vector_3, Vector_3> across = vectors_across(d);
     const auto project = [&](const Vector_3& p) {
-      return Depth_image::Place{(p * u + radius) / pixel, (p * v + radius) / pixel, p * d};
+      return Depth_image::Place{(p * across.first + radius) / pixel, (p * across.second + radius) / pixel,
+                                p * d};
     };
     std::vector<Depth_image::Place> places(points_.size());
     for (std::size_t k = 0; k < places.size(); ++k)
