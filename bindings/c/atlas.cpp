@@ -153,6 +153,9 @@ bindings::Scene_options scene_options(const atlas_options& options)
   result.is_straightened = options.straighten != 0;
   result.max_charts = options.max_charts;
   result.min_chart_texels = options.min_chart_texels;
+  result.min_coverage = options.min_coverage;
+  result.min_texels_per_chart = options.min_texels_per_chart;
+  result.symmetry = value_of<Symmetry>(options.symmetry, ATLAS_SYMMETRY_Z, "symmetry");
   result.hard_angle = options.hard_angle;
   result.separates_materials = options.separate_materials != 0;
   result.keeps_uv = options.keep_uvs != 0;

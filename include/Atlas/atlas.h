@@ -70,6 +70,15 @@ enum {
   ATLAS_MEASURE_QUASI_CONFORMAL = 6
 };
 
+/** At which planes charts become mirror images of each other, where the surface is its own. */
+enum {
+  ATLAS_SYMMETRY_OFF = 0,
+  ATLAS_SYMMETRY_AUTO = 1, /**< at the best plane there is */
+  ATLAS_SYMMETRY_X = 2,
+  ATLAS_SYMMETRY_Y = 3,
+  ATLAS_SYMMETRY_Z = 4
+};
+
 /** How charts may turn on the page. */
 enum {
   ATLAS_ROTATION_ALIGNED = 0, /**< those with a dominant direction parallel to an axis, others as they like */
@@ -167,7 +176,10 @@ typedef struct atlas_options
   unsigned int threads; /**< 0: all cores. The result does not depend on it */
   double time_limit;    /**< seconds; 0: none */
   atlas_progress progress;
-  void* user; /**< handed to `progress` */
+  void* user;                  /**< handed to `progress` */
+  double min_coverage;         /**< charts are cut until they cover this share of the pages; 0: no such wish */
+  double min_texels_per_chart; /**< smaller charts are enlarged; 0: no such wish */
+  int symmetry;                /**< `ATLAS_SYMMETRY_...` */
 } atlas_options;
 
 /** The figures of the atlas. */

@@ -19,39 +19,42 @@ the origin at the bottom left.
 
 **Options** are keywords of `Atlas`, `Atlas.generate` and `pack`; `None` stands for the default:
 
-======================  ============  ==================================================================================
-name                    default       meaning
-======================  ============  ==================================================================================
-``mode``                'standard'    'few-seams': fewer and larger charts with more distortion; 'conformal': least
-                                      squares conformal maps as they are; 'paper': Lévy et al. 2002 to the letter
-``max_distortion``      the mode's    bound under which charts merge, at least 1
-``measure``             the mode's    what that bound is about: 'symmetric-dirichlet', 'l2-stretch', 'linf-stretch',
-                                      'area-ratio', 'area-ratio-quantiles', 'quasi-conformal'
-``max_stretch``         the mode's    besides, bound on how single triangles are stretched, at least 1
-``max_stretch_share``   the mode's    the share of each chart's area that has to keep it
-``straighten``          False         make rectangles of regular grids of quadrilaterals
-``max_charts``          none          merge on until there are at most so many charts
-``min_chart_texels``    none          merge charts of fewer texels with a neighbour
-``hard_angle``          none          cut at edges sharper than so many degrees
-``separate_materials``  False         no chart has faces of two materials
-``keep_uv``             False         keep the shapes of the charts that the meshes' own coordinates have
-``orient``              False         turn faces around first so that neighbours agree; `indices` are of turned faces
-``texture_size``        1024          side of the page in texels, or (width, height)
-``gutter``              2             least distance between two charts in texels; half of it to the border
-``pages``, ``density``  1, none       how many pages may be filled; texels per unit, on as many pages as that takes
-``rotation``            'aligned'     'free', 'any', 'quarter', 'none': how charts may turn
-``up``                  none          'x' ... '-z' or a direction: what is up in space is up on the page
-``snap``                False         straight borders of charts lie on borders of texels
-``free_aspect``         False         the page may have another ratio of its sides
-``mip_levels``          0             keep charts apart down to this level of a mip-map
-``block``               1             no two charts share a block of so many texels squared
-``stack``               'none'        'copies': charts that are equal share a place; 'mirrored': mirror images too
-``effort``              'fast'        'normal', 'best': look longer for a tighter packing
-``weight``              none          {material: factor}: so many times the density
-``group``, ``lock``     none          [material, ...]: charts keep the places beside each other, or stay where they are
-``threads``             0             0 takes all cores; the result is the same for any number
-``time_limit``          none          seconds, then TimeoutError
-======================  ============  ==================================================================================
+========================  ============  ================================================================================
+name                      default       meaning
+========================  ============  ================================================================================
+``mode``                  'standard'    'few-seams': fewer and larger charts with more distortion; 'conformal': least
+                                        squares conformal maps as they are; 'paper': Lévy et al. 2002 to the letter
+``max_distortion``        the mode's    bound under which charts merge, at least 1
+``measure``               the mode's    what that bound is about: 'symmetric-dirichlet', 'l2-stretch', 'linf-stretch',
+                                        'area-ratio', 'area-ratio-quantiles', 'quasi-conformal'
+``max_stretch``           the mode's    besides, bound on how single triangles are stretched, at least 1
+``max_stretch_share``     the mode's    the share of each chart's area that has to keep it
+``straighten``            False         make rectangles of regular grids of quadrilaterals
+``max_charts``            none          merge on until there are at most so many charts
+``min_chart_texels``      none          merge charts of fewer texels with a neighbour
+``min_coverage``          none          cut charts until they cover this share of the pages
+``min_texels_per_chart``  none          enlarge smaller charts up to so many texels
+``symmetry``              'off'         'auto', 'x', 'y', 'z': mirrored charts where the surface is its own image
+``hard_angle``            none          cut at edges sharper than so many degrees
+``separate_materials``    False         no chart has faces of two materials
+``keep_uv``               False         keep the shapes of the charts that the meshes' own coordinates have
+``orient``                False         turn faces around first so that neighbours agree; `indices` are of turned faces
+``texture_size``          1024          side of the page in texels, or (width, height)
+``gutter``                2             least distance between two charts in texels; half of it to the border
+``pages``, ``density``    1, none       how many pages may be filled; texels per unit, on as many pages as that takes
+``rotation``              'aligned'     'free', 'any', 'quarter', 'none': how charts may turn
+``up``                    none          'x' ... '-z' or a direction: what is up in space is up on the page
+``snap``                  False         straight borders of charts lie on borders of texels
+``free_aspect``           False         the page may have another ratio of its sides
+``mip_levels``            0             keep charts apart down to this level of a mip-map
+``block``                 1             no two charts share a block of so many texels squared
+``stack``                 'none'        'copies': charts that are equal share a place; 'mirrored': mirror images too
+``effort``                'fast'        'normal', 'best': look longer for a tighter packing
+``weight``                none          {material: factor}: so many times the density
+``group``, ``lock``       none          [material, ...]: charts keep the places beside each other, or stay where they are
+``threads``               0             0 takes all cores; the result is the same for any number
+``time_limit``            none          seconds, then TimeoutError
+========================  ============  ================================================================================
 """
 
 from __future__ import annotations

@@ -224,6 +224,13 @@ const std::map<std::string, Setter>& setters()
     all["max_stretch_share"] = number(&Scene_options::max_stretch_share);
     all["straighten"] = flag(&Scene_options::is_straightened);
     all["min_chart_texels"] = number(&Scene_options::min_chart_texels);
+    all["min_coverage"] = number(&Scene_options::min_coverage);
+    all["min_texels_per_chart"] = number(&Scene_options::min_texels_per_chart);
+    all["symmetry"] = [](Scene_options& o, const char* name, const py::handle& v) {
+      using enum Symmetry;
+      o.symmetry =
+          choice_of<Symmetry>(name, v, {{"off", off}, {"auto", automatic}, {"x", x}, {"y", y}, {"z", z}});
+    };
     all["hard_angle"] = number(&Scene_options::hard_angle);
     all["time_limit"] = number(&Scene_options::time_limit);
     all["separate_materials"] = flag(&Scene_options::separates_materials);

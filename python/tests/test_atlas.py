@@ -204,6 +204,22 @@ def test_progress_is_told_in_this_thread():
     assert all(0 <= f <= 1 and thread == threading.get_ident() for _, f, thread in heard)
 
 
+def test_wishes_for_pages_and_symmetry_arrive():
+    atlas = atlas_uv.Atlas()
+    atlas.add_mesh(SQUARE, HALVES)
+    atlas.add_mesh(0.001 * np.asarray(SQUARE), HALVES)
+    report = atlas.generate(min_coverage=0.25, min_texels_per_chart=16)
+    assert report["min_coverage"] == 0.25
+    assert report["enlarged_charts"] == 1
+    atlas = atlas_uv.Atlas()
+    atlas.add_mesh(*torus())
+    assert atlas.generate(symmetry="auto", stack="mirrored")["stacked_charts"] > 0
+    with pytest.raises(ValueError, match="symmetry"):
+        atlas.generate(symmetry="w")
+    with pytest.raises(ValueError, match="min_coverage"):
+        atlas.generate(min_coverage=2)
+
+
 def test_cancelling():
     atlas = atlas_uv.Atlas()
     atlas.add_mesh(*torus(96, 48))

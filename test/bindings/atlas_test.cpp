@@ -221,6 +221,7 @@ TEST(atlas_h, BoundsAndStackingReachTheReport)
   options.max_stretch = 1.5;
   options.max_stretch_share = 0.75;
   options.stack = ATLAS_STACK_COPIES;
+  options.min_coverage = 0.25;
   ASSERT_EQ(atlas_generate(scene.get(), &options), ATLAS_OK) << atlas_error(scene.get());
   const nlohmann::json report = nlohmann::json::parse(atlas_report(scene.get()));
   EXPECT_EQ(report["bound"]["measure"], "l2_stretch");
@@ -229,6 +230,7 @@ TEST(atlas_h, BoundsAndStackingReachTheReport)
   EXPECT_EQ(report["bound"]["max_stretch_share"], 0.75);
   EXPECT_EQ(report["charts_beyond_bound"], 0);
   EXPECT_EQ(report["stacked_charts"], 1);
+  EXPECT_EQ(report["min_coverage"], 0.25);
   options.mode = ATLAS_MODE_PAPER; // merges nothing
   EXPECT_EQ(atlas_generate(scene.get(), &options), ATLAS_INVALID_ARGUMENT);
 }
@@ -378,10 +380,14 @@ TEST(atlas_h, FaultsAreNumbersWithASentence)
                             with(&atlas_options::width, 0u),
                             with(&atlas_options::max_distortion, 0.5),
                             with(&atlas_options::hard_angle, 200.0),
+                            with(&atlas_options::min_coverage, 1.0),
+                            with(&atlas_options::min_texels_per_chart, -1.0),
+                            with(&atlas_options::symmetry, 5),
                             with(&atlas_options::number_of_rules, std::size_t(1)),
                             with(&atlas_options::time_limit, -1.0)};
-  const std::array words = {"mode",           "stack",      "gutter", "width",
-                            "max_distortion", "hard_angle", "rules",  "time_limit"};
+  const std::array words = {"mode",           "stack",      "gutter",       "width",
+                            "max_distortion", "hard_angle", "min_coverage", "min_texels_per_chart",
+                            "symmetry",       "rules",      "time_limit"};
   for (std::size_t i = 0; i < wrong.size(); ++i)
     expect_fault(atlas_generate(scene.get(), &wrong[i]), words[i]);
   atlas_result result;

@@ -35,6 +35,7 @@ struct Soup_options
   double min_coverage = 0;                       ///< charts are cut for pages that full; 0: no such wish
   std::optional<double> seam_exchange_rate;      ///< density that cuts have to bring; none: the mode's
   double min_texels_per_chart = 0;               ///< 0: no such wish
+  Symmetry symmetry = Symmetry::off;             ///< where charts are to be mirror images of each other
   bool keeps_uv = false;                         ///< charts are those of the soup's coordinates
   bool separates_materials = false;              ///< no chart has faces of two materials
   Page_options page;

@@ -60,13 +60,13 @@ inline Policies policies_of(const Soup_options& options)
     return *options.policies;
   if (options.mode == Atlas_mode::paper) {
     require(!options.measure && options.max_distortion == 0 && options.max_stretch == 0 &&
-                options.max_charts == 0 && options.min_chart_texels == 0,
+                options.max_charts == 0 && options.min_chart_texels == 0 && options.symmetry == Symmetry::off,
             "mode",
-            "paper merges no charts: measure, max_distortion, max_stretch, max_charts and min_chart_texels "
-            "have no meaning");
+            "paper merges no charts: measure, max_distortion, max_stretch, max_charts, min_chart_texels "
+            "and symmetry have no meaning");
     return paper_preset(Exact_validator(default_max_area_ratio, 0));
   }
-  Policies policies = preset(options.mode, merge_options_of(options));
+  Policies policies = preset(options.mode, merge_options_of(options), options.symmetry);
   policies.packer = Raster_packer(options.effort);
   return policies;
 }
