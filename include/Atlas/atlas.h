@@ -176,8 +176,8 @@ typedef struct atlas_options
   unsigned int threads; /**< 0: all cores. The result does not depend on it */
   double time_limit;    /**< seconds; 0: none */
   atlas_progress progress;
-  void* user;                  /**< handed to `progress` */
-  double min_coverage;         /**< charts are cut until they cover this share of the pages; 0: no such wish */
+  void* user;          /**< handed to `progress` */
+  double min_coverage; /**< charts are cut until they cover this share of the pages; 0: no such wish */
   double min_texels_per_chart; /**< smaller charts are enlarged; 0: no such wish */
   int symmetry;                /**< `ATLAS_SYMMETRY_...` */
 } atlas_options;
