@@ -124,6 +124,18 @@ TEST(SeamExchangeRate, AStripThatSetsTheDensityIsCut)
   EXPECT_EQ(atlas_of(strip, np.seam_exchange_rate(1e6)).report.charts.size(), 1u);
 }
 
+/// An L fills three quarters of its square.
+TEST(SeamExchangeRate, PagesThatAreFullEnoughStay)
+{
+  const Surface surface = surface_of(squares(8, 8, [](int x, int y) { return x < 4 || y < 4; }));
+  const auto np = parameters::texture_size(256);
+  const Result usual = atlas_of(surface, np);
+  ASSERT_TRUE(usual.report.is_valid());
+  EXPECT_GT(usual.report.packing_efficiency, default_full_coverage);
+  EXPECT_EQ(usual.report.pieces_cut_for_pages, 0u);
+  EXPECT_GT(atlas_of(surface, np.seam_exchange_rate(0.2)).report.pieces_cut_for_pages, 0u);
+}
+
 TEST(Density, ChartsLargerThanThePageAreCut)
 {
   const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));

@@ -45,6 +45,8 @@ Merge_options merge_options(Atlas_mode mode);
 double seam_exchange_rate(Atlas_mode mode);
 /// By that share seams get longer at most where charts are cut without being asked to.
 inline constexpr double default_added_seam = 0.06;
+/// Pages of which charts cover that share are left as they are then: few charts are worth more than the rest.
+inline constexpr double default_full_coverage = 0.65;
 
 /// Within a chart, areas in the plane over areas in space differ by at most this factor, the extreme
 /// `default_density_quantile` of the area on either side left out: texel density varies at most by its square

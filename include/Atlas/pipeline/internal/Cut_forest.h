@@ -31,7 +31,8 @@ struct Cut_trade
   /// Up to this added seam of all cuts, relative. Beyond, the density has to rise by twice that rate.
   double most_added_seam = std::numeric_limits<double>::infinity();
   bool is_for_density =
-      false; ///< whether charts are cut that are larger than a page at the density asked for
+      false;                ///< whether charts are cut that are larger than a page at the density asked for
+  double full_coverage = 1; ///< from which on pages are full enough
 };
 
 /// \brief Flattened charts that are cut one after the other, so that they need less room on a page.

@@ -54,7 +54,8 @@ public:
       return fit(segmentation, charts, packed.packing);
     const double coverage = packed.coverage, wanted = min_coverage_ + coverage_lost;
     const bool is_asked = min_coverage_ > 0;
-    if (packed.packing.number_of_pages == 0 || (is_asked ? coverage >= wanted : !(trade_.rate > 0)))
+    const bool is_full = coverage >= (is_asked ? wanted : trade_.full_coverage);
+    if (packed.packing.number_of_pages == 0 || is_full || !(is_asked || trade_.rate > 0))
       return std::nullopt;
     const Room_estimate room = room_on_pages(is_asked ? wanted : std::max(coverage, usual_coverage));
     const double seam = half_of_borders(charts);
