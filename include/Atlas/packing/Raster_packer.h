@@ -14,7 +14,7 @@ namespace Atlas {
 
 /// How hard a packer tries. The times are for 50 charts on two cores.
 enum class Packing_effort {
-  fast,   ///< about 0.3 s
+  fast,   ///< a short search, that ends as soon as it gains little
   normal, ///< about 1 s
   best    ///< about 10 s
 };

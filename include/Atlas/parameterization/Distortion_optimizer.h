@@ -15,6 +15,7 @@ struct Distortion_options
   static constexpr std::size_t default_max_iterations = 60;
   static constexpr double default_tolerance = 2e-4;
 
+  /// Charts of many vertices take fewer: a million over their number, but eight at least.
   std::size_t max_iterations = default_max_iterations;
   /// The optimisation ends when an iteration lowers the energy by less than this part of it; at least 0.
   double tolerance = default_tolerance;
