@@ -66,7 +66,8 @@ bool always(const Point_2&, const Point_2&)
 Chart_cut best_cut(const Chart& chart, const std::vector<double>& cost, double side, unsigned threads = 1)
 {
   const Room_estimate room{side, 0};
-  return Chart_cut_finder(chart, cost, room).best(Execution(threads));
+  const double any_cost = std::numeric_limits<double>::infinity();
+  return Chart_cut_finder(chart, cost, room, any_cost).best(Execution(threads));
 }
 
 std::vector<double> areas(const Chart& chart, const Chart_cut& cut)
