@@ -118,6 +118,7 @@ atlas_options default_options()
   options.gutter = page.gutter;
   options.block = page.block;
   options.pages = page.pages;
+  options.seam_exchange_rate = -1;
   return options;
 }
 
@@ -154,6 +155,8 @@ bindings::Scene_options scene_options(const atlas_options& options)
   result.max_charts = options.max_charts;
   result.min_chart_texels = options.min_chart_texels;
   result.min_coverage = options.min_coverage;
+  if (options.seam_exchange_rate >= 0)
+    result.seam_exchange_rate = options.seam_exchange_rate;
   result.min_texels_per_chart = options.min_texels_per_chart;
   result.symmetry = value_of<Symmetry>(options.symmetry, ATLAS_SYMMETRY_Z, "symmetry");
   result.hard_angle = options.hard_angle;

@@ -179,6 +179,8 @@ typedef struct atlas_options
   void* user;          /**< handed to `progress` */
   double min_coverage; /**< charts are cut until they cover this share of the pages; 0: no such wish */
   double min_texels_per_chart; /**< smaller charts are enlarged; 0: no such wish */
+  double seam_exchange_rate;   /**< charts are cut where the density rises by so much for the seam; negative:
+                                  that of the mode */
   int symmetry;                /**< `ATLAS_SYMMETRY_...` */
 } atlas_options;
 

@@ -33,6 +33,7 @@ name                      default       meaning
 ``max_charts``            none          merge on until there are at most so many charts
 ``min_chart_texels``      none          merge charts of fewer texels with a neighbour
 ``min_coverage``          none          cut charts until they cover this share of the pages
+``seam_exchange_rate``    the mode's    cut where that gives so many per cent more density for one of seam; 0: never
 ``min_texels_per_chart``  none          enlarge smaller charts up to so many texels
 ``symmetry``              'off'         'auto', 'x', 'y', 'z': mirrored charts where the surface is its own image
 ``hard_angle``            none          cut at edges sharper than so many degrees

@@ -226,6 +226,9 @@ const std::map<std::string, Setter>& setters()
     all["min_chart_texels"] = number(&Scene_options::min_chart_texels);
     all["min_coverage"] = number(&Scene_options::min_coverage);
     all["min_texels_per_chart"] = number(&Scene_options::min_texels_per_chart);
+    all["seam_exchange_rate"] = [](Scene_options& o, const char* name, const py::handle& v) {
+      o.seam_exchange_rate = value_of<double>(name, v, "a number");
+    };
     all["symmetry"] = [](Scene_options& o, const char* name, const py::handle& v) {
       using enum Symmetry;
       o.symmetry =

@@ -212,6 +212,21 @@ TEST(atlas_h, OptionsArrive)
   EXPECT_EQ(summary_of(scene).number_of_charts, 2u);
 }
 
+/// A strip of 40 quadrilaterals, which alone leaves most of the page empty.
+TEST(atlas_h, ChartsAreCutForThePageUnlessThatIsForbidden)
+{
+  Mesh strip;
+  for (unsigned int i = 0; i <= 40; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      strip.positions.insert(strip.positions.end(), {double(i), double(j), 0});
+  for (unsigned int i = 0; i < 40; ++i)
+    strip.indices.insert(strip.indices.end(), {2 * i, 2 * i + 2, 2 * i + 3, 2 * i, 2 * i + 3, 2 * i + 1});
+  atlas_options options = defaults();
+  EXPECT_GT(charts_of(strip, options), 1u);
+  options.seam_exchange_rate = 0;
+  EXPECT_EQ(charts_of(strip, options), 1u);
+}
+
 TEST(atlas_h, BoundsAndStackingReachTheReport)
 {
   const Scene scene = scene_of({square(), square()});
