@@ -223,6 +223,9 @@ TEST(atlas_h, ChartsAreCutForThePageUnlessThatIsForbidden)
     strip.indices.insert(strip.indices.end(), {2 * i, 2 * i + 2, 2 * i + 3, 2 * i, 2 * i + 3, 2 * i + 1});
   atlas_options options = defaults();
   EXPECT_GT(charts_of(strip, options), 1u);
+  options.symmetry = ATLAS_SYMMETRY_AUTO;
+  EXPECT_EQ(charts_of(strip, options), 1u) << "mirrored charts stay so";
+  options = defaults();
   options.seam_exchange_rate = 0;
   EXPECT_EQ(charts_of(strip, options), 1u);
 }

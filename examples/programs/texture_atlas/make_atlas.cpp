@@ -43,16 +43,16 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.is_straightened = options.is_straightened;
   wishes.max_charts = options.max_charts;
   wishes.min_chart_texels = options.min_chart_texels;
+  wishes.symmetry = options.symmetry;
   wishes.hard_angle = options.hard_angle;
   wishes.keeps_uv = options.keeps_uv;
   wishes.separates_materials = options.separates_materials;
   wishes.policies =
-      policies_of(options.stages, wishes.mode, merge_options_of(wishes), options.symmetry, options.effort);
+      policies_of(options.stages, wishes.mode, merge_options_of(wishes), wishes.symmetry, options.effort);
   wishes.rules = rules_of(options.materials, model);
   wishes.min_coverage = options.min_coverage;
   wishes.seam_exchange_rate = options.seam_exchange_rate;
-  if (!wishes.seam_exchange_rate &&
-      (!options.stages.segmentation.empty() || options.symmetry != Atlas::Symmetry::off))
+  if (!wishes.seam_exchange_rate && !options.stages.segmentation.empty())
     wishes.seam_exchange_rate = 0; // who chooses how charts are made gets them as they are
   wishes.min_texels_per_chart = options.min_texels_per_chart;
   wishes.threads = options.threads;

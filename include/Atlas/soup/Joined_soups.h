@@ -72,9 +72,8 @@ private:
 ///
 /// \param mesh  triangles, quads or any polygons
 /// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`
-/// \param np    CGAL's `vertex_normal_map`, `vertex_color_map` and `face_color_map` (to colours of CGAL, or
-/// to
-///              three or four numbers in [0, 1]), `face_patch_map` (to names or numbers of materials),
+/// \param np    CGAL's `vertex_normal_map`, `vertex_color_map` and `face_color_map` (to colours of CGAL or
+///              to three or four numbers in [0, 1]), `face_patch_map` (to names or numbers of materials),
 ///              `vertex_point_map`, `vertex_index_map`; `face_page_map`
 ///
 /// Vertices are in the order of their indices, faces in that of the mesh, corners in that of the halfedges

@@ -30,8 +30,8 @@ struct Cut_trade
   double rate = 0; ///< by which the density has to rise per added seam, both relative; 0: no cut is made
   /// Up to this added seam of all cuts, relative. Beyond, the density has to rise by twice that rate.
   double most_added_seam = std::numeric_limits<double>::infinity();
-  bool is_for_density =
-      false;                ///< whether charts are cut that are larger than a page at the density asked for
+  /// Whether charts are cut that are larger than a page at the density asked for.
+  bool is_for_density = false;
   double full_coverage = 1; ///< from which on pages are full enough
 };
 

@@ -71,10 +71,11 @@ inline Policies policies_of(const Soup_options& options)
   return policies;
 }
 
-/// Who wants few or large charts gets no more of them, unless he says so.
+/// Who wants few, large or mirrored charts gets them as they are, unless he says so.
 inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
 {
-  if (!options.seam_exchange_rate && (options.max_charts > 0 || options.min_chart_texels > 0))
+  if (!options.seam_exchange_rate &&
+      (options.max_charts > 0 || options.min_chart_texels > 0 || options.symmetry != Symmetry::off))
     return 0;
   return options.seam_exchange_rate;
 }

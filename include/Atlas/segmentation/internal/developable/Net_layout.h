@@ -103,8 +103,8 @@ inline Extent extent_of_hull(const std::vector<Vec2>& hull, const Alignment& bor
   return result;
 }
 
-/// About that of two borders put side by side: the direction that more of them has. What is glued between
-/// them counts on, and the chord is not known.
+/// About the alignment of two borders put side by side: the direction that more of them has. The parts along
+/// which they are glued still count, and the chord is not known: 0.
 inline Alignment joined(Alignment a, const Alignment& b)
 {
   const auto fold = [](Vec2 d) {
