@@ -48,8 +48,9 @@ public:
         std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path, ignored) : path;
     if (place.empty())
       place = path;
-    const std::filesystem::path temporary =
-        place.parent_path() / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".part");
+    std::string hidden = "."; // appended to: GCC 12 takes `"." + std::string()` for a copy onto itself
+    hidden += place.filename().string() + "." + std::to_string(::getpid()) + ".part";
+    const std::filesystem::path temporary = place.parent_path() / hidden;
     pending_.push_back({temporary.string(), place.string()});
     write(temporary.string(), path, bytes, "wb");
   }
