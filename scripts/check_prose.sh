@@ -7,12 +7,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 most_words=18
 install_packages aspell aspell-en
 cd "$atlas_root"
-pages=(README.md CHANGES.md doc/*.md doc/concepts/*.md)
+pages=(README.md CHANGES.md CONTRIBUTING.md doc/*.md doc/concepts/*.md)
 
 # prose FILE: its sentences without code, commands of Doxygen, names of C++, links and numbers of papers.
 prose() {
   awk '/^```/ { in_code = !in_code; next } in_code || /^    / || /^\\/ || /^\|[- :|]*\|$/ { next } { print }' "$1" |
-    sed -E 's/`[^`]*`/ /g; s/\{#[a-z_]+\}//g; s/\\(ref|anchor|image|snippet|include) *[A-Za-z_0-9.\/]+//g; s/\]\([^)]*\)/]/g; s/[A-Za-z]+::[A-Za-z_0-9:]+(\(\))?/it/g; s/[A-Za-z0-9]+_[A-Za-z_0-9]+(\(\))?/it/g; s/^#+ .*$/&./; s/<[^>]*>//g; s/https?:[^ )]*//g'
+    sed -E 's/`[^`]*`/ /g; s/\{#[a-z_]+\}//g; s/\\(ref|subpage|anchor|image|snippet|include) *[A-Za-z_0-9.\/]+//g; s/\]\([^)]*\)/]/g; s/[A-Za-z]+::[A-Za-z_0-9:]+(\(\))?/it/g; s/[A-Za-z0-9]+_[A-Za-z_0-9]+(\(\))?/it/g; s/^#+ .*$/&./; s/<[^>]*>//g; s/https?:[^ )]*//g'
 }
 
 # median FILE: of the numbers of words of its sentences. Tables are not made of sentences.
