@@ -13,6 +13,7 @@
 #include <Atlas/soup/internal/face_distortion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string_view>
@@ -76,13 +77,13 @@ public:
     html_ << "<h1>" << escaped(title) << "</h1><p><span class=\"verdict "
           << (report.is_valid() ? "valid" : "invalid") << "\">" << (report.is_valid() ? "valid" : "not valid")
           << "</span> " << escaped(message(report.certificate)) << "</p>\n";
+    write_cards();
   }
 
   std::string text(const Report_pictures& pictures)
   {
     const Report_model model(soup_, report_.face_chart);
-    write_pictures(pictures);
-    write_view(model);
+    write_view(model, pictures);
     write_worst(model);
     html_ << "<div class=\"two\">";
     write_histograms();
@@ -106,16 +107,21 @@ private:
     return stream.str();
   }
 
-  void write_pictures(const Report_pictures& pictures)
+  /// The figures that one looks for first.
+  void write_cards()
   {
-    html_
-        << "<div class=\"two\"><section><h2>The page: charts in colours</h2>"
-        << image_tag(pictures.page, "page")
-        << "</section><section><h2>Stretch: the larger of &sigma;<sub>1</sub> and 1/&sigma;<sub>2</sub></h2>"
-        << image_tag(pictures.stretch, "stretch")
-        << "<div class=\"scale\"></div><div class=\"ticks\"><span>1 "
-           "(isometric)</span><span>1.41</span><span>2 and more</span>"
-           "</div></section></div>\n";
+    const auto card = [&](const std::string& value, const char* what) {
+      html_ << "<div><strong>" << value << "</strong><span>" << what << "</span></div>";
+    };
+    html_ << "<div class=\"cards\">";
+    card(shown(report_.charts.size()), "charts");
+    card(shown(report_.area > 0 ? report_.seam_length / std::sqrt(report_.area) : 0),
+         "seam length over the root of the area");
+    card(shown(report_.distortion.symmetric_dirichlet_mean), "mean distortion; 1 is none");
+    card(shown(report_.charts_beyond_bound), "charts beyond their bound");
+    card(shown(100 * report_.packing_efficiency, " %"), "of the page is used");
+    card(shown(report_.total_seconds(), " s"), "of work");
+    html_ << "</div>\n";
   }
 
   void write_sides(const Image& view)
@@ -123,7 +129,7 @@ private:
     html_ << "<section><h2>From several sides</h2>" << image_tag(view, "sides") << "</section>\n";
   }
 
-  void write_view(const Report_model& model)
+  void write_view(const Report_model& model, const Report_pictures& pictures)
   {
     std::ostringstream data;
     data << "{linked:" << (report_.charts.empty() ? "false" : "true")
@@ -134,7 +140,8 @@ private:
     for (const Chart_report& chart : report_.charts)
       data << "\"" << about(chart) << "\",";
     data << "]}";
-    html_ << replaced(report_view, "@DATA@", data.str());
+    const std::string page = image_tag(pictures.page, "page") + image_tag(pictures.stretch, "stretch");
+    html_ << replaced(replaced(report_view, "@PAGE@", page), "@DATA@", data.str());
   }
 
   static std::string about(const Chart_report& chart)
@@ -151,16 +158,26 @@ private:
     const std::vector<Worst_spot> spots = worst_spots(model, soup_, report_, shown_at_most);
     if (spots.empty())
       return;
-    html_ << "<section><h2>Where it is stretched most</h2><table>";
-    for (const Worst_spot& spot : spots) {
-      html_ << "<tr class=\"chart\" data-chart=\"" << spot.chart << "\" data-place=\"[";
-      for (const auto& vector : {spot.center, spot.normal})
-        for (const double x : vector)
-          html_ << x << ',';
-      html_ << std::max(spot.radius, 1e-3) << "]\"><td>chart " << spot.chart << "</td><td>"
-            << about(report_.charts[spot.chart]) << "</td></tr>";
-    }
-    html_ << "</table><p class=\"note\">Click a chart to look at its worst spot.</p></section>\n";
+    html_ << "<section><h2>Where it is stretched most</h2><table><tr><th>chart</th>"
+             "<th class=\"number\">triangles</th><th class=\"number\">mean distortion</th>"
+             "<th class=\"number\">stretch</th><th>bound</th></tr>";
+    for (const Worst_spot& spot : spots)
+      write_spot(spot, report_.charts[spot.chart]);
+    html_ << "</table><p class=\"note\">Click a chart to look at its worst spot. Its stretch is that of "
+          << 100 * std::min(report_.bound.stretch_share, 1.0) << " % of its area.</p></section>\n";
+  }
+
+  void write_spot(const Worst_spot& spot, const Chart_report& chart)
+  {
+    html_ << "<tr class=\"chart\" data-chart=\"" << spot.chart << "\" data-place=\"[";
+    for (const auto& vector : {spot.center, spot.normal})
+      for (const double x : vector)
+        html_ << x << ',';
+    html_ << std::max(spot.radius, 1e-3) << "]\"><td>" << spot.chart << "</td>";
+    for (const std::string& number :
+         {shown(chart.triangles), shown(chart.distortion.symmetric_dirichlet_mean), shown(chart.stretch)})
+      html_ << "<td class=\"number\">" << number << "</td>";
+    html_ << "<td>" << (chart.is_within_bound ? "kept" : message(chart.reason)) << "</td></tr>";
   }
 
   void write_histograms()
@@ -177,7 +194,7 @@ private:
 
   void write_table(const Rows& rows)
   {
-    html_ << "<table>";
+    html_ << "<table class=\"figures\">";
     for (const auto& [name, value] : rows)
       html_ << "<tr><td>" << name << "</td><td>" << value << "</td></tr>";
     html_ << "</table>\n";
