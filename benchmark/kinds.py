@@ -13,7 +13,7 @@ import sys
 import tarfile
 import tempfile
 
-# Kind, what it is, and a mesh of the archive or a function that writes one.
+# Kind, what it is, a mesh of the archive or a function that makes one, and options.
 KINDS = [
     ("tiny", "one triangle", "triangle.off"),
     ("tiny", "a cube", "cube_quad.off"),
@@ -30,9 +30,13 @@ KINDS = [
     ("terrain", "hills of 512 x 512 points", "terrain"),
     ("soup", "boeing, faces of any orientation", "boeing.off"),
     ("soup", "loose triangles of a ball", "loose"),
+    ("soup", "the same, `--weld 2e-4`", "loose", "--weld", "2e-4"),
     ("many", "500 boxes", "boxes"),
     ("many", "200 copies of a ball", "balls"),
 ]
+
+
+STAGES = ["segmentation", "parameterization", "packing", "verification"]
 
 
 class Random:
@@ -163,7 +167,7 @@ def main():
     options = ["--threads", "1"] + arguments.options
     performance, quality = [], []
     with tempfile.TemporaryDirectory() as folder, tarfile.open(arguments.archive) as archive:
-        for kind, name, source in KINDS:
+        for kind, name, source, *more in KINDS:
             if arguments.only and arguments.only not in name:
                 continue
             path = os.path.join(folder, "mesh.off")
@@ -172,12 +176,12 @@ def main():
                     file.write(archive.extractfile("data/meshes/" + source).read())
             else:
                 write_off(path, globals()[source]())
-            runs = [measure(arguments.program, path, folder, options) for _ in range(arguments.repeat)]
+            runs = [measure(arguments.program, path, folder, options + more) for _ in range(arguments.repeat)]
             report, memory = runs[0][0], max(run[2] for run in runs)
             cpu = min(run[1] for run in runs)
-            seconds = [run[0]["seconds"] for run in runs]
-            stages = ["%.2f" % min(s[stage] for s in seconds) for stage in ("segmentation", "parameterization", "packing", "verification")]
-            performance.append([kind, name, "%d" % report["faces"], *stages, "%.2f" % cpu, "%.0f" % memory])
+            seconds = {stage: min(run[0]["seconds"][stage] for run in runs) for stage in STAGES}
+            shares = ["%.0f %%" % (100 * seconds[stage] / sum(seconds.values())) for stage in STAGES]
+            performance.append([kind, name, "%d" % report["faces"], "%.2f" % cpu, *shares, "%.0f" % memory])
             distortion = report["distortion"]
             quality.append([kind, name, "%d" % report["number_of_charts"],
                             "%.2f" % (report["seam_length"] / math.sqrt(report["area"])),
@@ -185,7 +189,7 @@ def main():
                             "%.0f %%" % (100 * report["packing_efficiency"]), "yes" if report["is_valid"] else "no"])
             print(".", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
-    table(["kind", "mesh", "faces", "segmentation", "parameterization", "packing", "verification", "CPU, whole program", "MB"], performance)
+    table(["kind", "mesh", "faces", "CPU s", *STAGES, "MB"], performance)
     table(["kind", "mesh", "charts", "seams", "energy", "stretch, 99 %", "page", "valid"], quality)
 
 

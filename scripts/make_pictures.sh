@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes the pictures of the manual anew with texture_atlas, from meshes of Debian's package libcgal-demo; netpbm
-# makes them small.
+# makes them small, and Chromium shows the report of a run.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" libcgal-demo netpbm libbenchmark-dev
+install_packages "${ATLAS_EXAMPLE_PACKAGES[@]}" netpbm libbenchmark-dev chromium
 build example texture_atlas
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
+archive=$(demo_archive)
+atlas=$atlas_root/build/example/bin/texture_atlas
 
 # small IN OUT WIDTH: scales to so many pixels and 255 colours.
 small() {
@@ -16,12 +18,11 @@ small() {
 }
 
 for mesh in bunny00 camel; do
-  tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz "data/meshes/$mesh.off" >"$folder/$mesh.off"
-  "$atlas_root/build/example/bin/texture_atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
+  tar --extract --gzip --to-stdout --file "$archive" "data/meshes/$mesh.off" >"$folder/$mesh.off"
+  "$atlas" "$folder/$mesh.off" -o "$folder/$mesh.obj" \
     --pictures --picture "$folder/$mesh.png" >&2
 done
 small "$folder/bunny00.png" bunny.png 1400
-small "$folder/camel_page.png" camel_page.png 700
 small "$folder/camel_view.png" camel_view.png 700
 small "$folder/camel_stretch.png" camel_stretch.png 700
 
@@ -32,16 +33,62 @@ awk 'NF == 0 { next }
      line > 2 && line <= n + 2 { r = 0.5 + 0.5 * sin(90 * $2); g = 0.5 + 0.5 * sin(70 * $1 + 50 * $3); b = 0.5 + 0.5 * cos(60 * $2)
                              printf "%s %s %s %d %d %d 255\n", $1, $2, $3, 255 * r, 90 + 160 * g, 255 * b; next }
      { print }' "$folder/bunny00.off" >"$folder/colored.off"
-"$atlas_root/build/example/bin/texture_atlas" "$folder/colored.off" -o "$folder/colored.obj" \
+"$atlas" "$folder/colored.off" -o "$folder/colored.obj" \
   --bake colors --bake normals --bake occlusion --pictures >&2
 for name in color normal occlusion view; do
   pngtopnm "$folder/colored_$name.png" | pnmscale -xsize 480 -ysize 480 >"$folder/$name.pnm"
 done
 pnmcat -lr "$folder"/{color,normal,occlusion,view}.pnm | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/bake.png"
+# The gallery: a machine part, a house and an animal, the page beside the model.
+tar --extract --gzip --to-stdout --file "$archive" data/meshes/couplingdown.off >"$folder/coupling.off"
+tar --extract --gzip --to-stdout --file "$archive" data/meshes/elephant.off >"$folder/elephant.off"
+cat >"$folder/house.obj" <<'MESH'
+v 0 0 0
+v 3 0 0
+v 3 0 2
+v 0 0 2
+v 0 1.6 0
+v 3 1.6 0
+v 3 1.6 2
+v 0 1.6 2
+v 0 2.5 1
+v 3 2.5 1
+f 4 3 2 1
+f 1 2 6 5
+f 3 4 8 7
+f 4 1 5 9 8
+f 2 3 7 10 6
+f 5 6 10 9
+f 7 8 9 10
+MESH
+"$atlas" "$folder/coupling.off" -o "$folder/coupling.obj" --picture "$folder/coupling.png" >&2
+"$atlas" "$folder/elephant.off" -o "$folder/elephant_atlas.obj" --picture "$folder/elephant.png" >&2
+"$atlas" "$folder/house.obj" -o "$folder/house_atlas.obj" --picture "$folder/house.png" >&2
+for name in coupling elephant house; do
+  small "$folder/$name.png" "gallery_$name.png" 1000
+done
+# The first picture that one sees: a scan and a machine part.
+for name in bunny00 coupling; do
+  pngtopnm "$folder/$name.png" | pnmscale -width 1000 | pnmpad -white -bottom 20 >"$folder/$name.pnm"
+done
+pnmcat -white -tb "$folder"/{bunny00,coupling}.pnm | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/front.png"
+# One model on pages that are ever fuller.
+for coverage in 0 0.80 0.85; do
+  "$atlas" "$folder/camel.off" -o "$folder/full.obj" --min-coverage "$coverage" --pictures >&2 || [ $? -eq 5 ]
+  pngtopnm "$folder/full_page.png" | pnmscale -xsize 460 | pnmpad -white -left 10 -right 10 >"$folder/full_$coverage.pnm"
+done
+pnmcat -white -lr "$folder"/full_{0,0.80,0.85}.pnm | pnmquant 255 | pnmtopng -compression 9 >"$atlas_root/doc/pictures/full_pages.png"
+# The report of a run, as a browser shows it.
+tar --extract --gzip --to-stdout --file "$archive" data/meshes/homer.off >"$folder/homer.off"
+"$atlas" "$folder/homer.off" -o "$folder/homer.obj" --pictures >&2
+chromium --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync \
+  --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$folder/chromium" --hide-scrollbars \
+  --window-size=1280,1000 --virtual-time-budget=10000 --screenshot="$folder/report.png" "file://$folder/homer.html" >&2
+small "$folder/report.png" report.png 960
 # The pages of four packers for the same charts, side by side: rectangles, horizon, fast, best.
 build benchmark packing_benchmark
-tar --extract --gzip --to-stdout --file /usr/share/doc/libcgal-dev/data.tar.gz data/meshes/dino.off >"$folder/dino.off"
-"$atlas_root/build/example/bin/texture_atlas" "$folder/dino.off" -o "$folder/dino.obj" >&2
+tar --extract --gzip --to-stdout --file "$archive" data/meshes/dino.off >"$folder/dino.off"
+"$atlas" "$folder/dino.off" -o "$folder/dino.obj" >&2
 "$atlas_root/build/benchmark/benchmark/packing_benchmark" --pictures "$folder/packer" "$folder/dino.obj"
 for packer in rectangles horizon fast best; do
   pngtopnm "$folder/packer_$packer.png" >"$folder/packer_$packer.ppm"
