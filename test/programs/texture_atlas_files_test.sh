@@ -128,6 +128,28 @@ make 2 1 low.obj -o a.obj --bake-from high.off
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
 make 3 1 low.obj -o a.obj --bake-from line.obj --bake normals
 
+# Seams that do not show: the report tells what is left.
+python3 - <<'MESH'
+with open("colored.obj", "w") as out:
+    for i in range(8):
+        x, y, z = i & 1, i >> 1 & 1, i >> 2
+        out.write(f"v {x} {y} {z} {.3 + .4 * x} {.3 + .4 * y} {.3 + .4 * z}\n")
+    for face in ("1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"):
+        out.write(f"f {face}\n")
+MESH
+make 0 0 colored.obj -o a.obj --hard-angle 30 --mip-levels 2 --bake colors --bake normals --bake occlusion --bake tangent-normals --seamless
+python3 - a.json <<'REPORT' || fail "differences at seams: $(cat stdout)"
+import json, sys
+seams = json.load(open(sys.argv[1]))["seams_of_textures"]
+assert [s["texture"] for s in seams] == ["_color.png", "_normal.png", "_tangent_normal.png", "_occlusion.png"], seams
+assert [s["edges"] for s in seams] == [12, 12, 0, 12], seams
+assert seams[0]["largest_difference_before"][0] > 2 and seams[1]["largest_difference_before"][0] > 100, seams
+assert all(d <= 1 for s in seams for d in s["largest_difference"]), seams
+REPORT
+grep -q '^seams  *_color.png: sides differ by at most 0' stdout || fail "nothing is said of seams: $(cat stdout)"
+make 2 1 colored.obj -o a.obj --seamless
+grep -q -e '--seamless requires --bake' stderr || fail "seams without a bake: $(cat stderr)"
+
 # A two-sided model is two sheets; vertices that hardly miss each other are one on request.
 python3 - <<'MESHES'
 def grid(n, turned):

@@ -49,7 +49,8 @@ Atlas::Bake_shader shader_of(Bake what, const Atlas::Polygon_soup& mesh, Atlas::
 
 } // namespace
 
-Baker::Baker(const Options& options, const Input& input, Atlas::Image_size size) : input_(input), size_(size)
+Baker::Baker(const Options& options, const Input& input, Atlas::Image_size size)
+    : input_(input), size_(size), is_seamless_(options.is_seamless)
 {
   if (!options.detail.empty() && !options.bakes.empty())
     place_ = Atlas::place_on(input.models.whole(), input.detail, options.cage);
@@ -70,9 +71,16 @@ Atlas::Bake_shader Baker::shader(Bake what) const
 
 Textures Baker::operator()(Bake what, const Atlas::Execution& execution) const
 {
-  Textures result{{}, suffix_of(what)};
+  Textures result{{}, suffix_of(what), {}};
   for (Atlas::Index page = 0; page < input_.models.whole().number_of_pages(); ++page)
     result.pages.push_back(image(what, page, execution));
+  if (is_seamless_ && !execution.is_cancelled()) {
+    const Atlas::Polygon_soup& model = input_.models.whole();
+    const Atlas::Texel_meaning meaning =
+        what == Bake::tangent_normals ? Atlas::Texel_meaning::tangent_normals : Atlas::Texel_meaning::colors;
+    const Atlas::Seam_difference before = Atlas::seam_difference(model, result.pages, meaning);
+    result.seams = {before, Atlas::make_seamless(model, result.pages, meaning, execution)};
+  }
   return result;
 }
 

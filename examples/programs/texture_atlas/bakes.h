@@ -9,14 +9,22 @@
 #include <Atlas/image/Image.h>
 
 #include "texture_atlas.h"
+#include <optional>
 #include <string>
 #include <vector>
+
+/// How much the two sides of seams differed, and how much they still do.
+struct Seams_closed
+{
+  Atlas::Seam_difference before, after;
+};
 
 /// Pictures of all pages, and what their files are called.
 struct Textures
 {
   std::vector<Atlas::Image> pages;
   std::string suffix;
+  std::optional<Seams_closed> seams; ///< if they were to be closed
 };
 
 /// Bakes the pages of the model, from itself or from the mesh that has been given for it.
@@ -36,6 +44,7 @@ private:
 
   const Input& input_;
   Atlas::Image_size size_;
+  bool is_seamless_;
   Atlas::Bake_place place_; ///< on the other mesh; empty: there is none
 };
 

@@ -186,7 +186,7 @@ int run(Options& options)
   const Stopwatch writing;
   const Atlas::Execution execution(options.threads, [&](double) { return !patience.is_over(); });
   const Atlas::Polygon_soup& model = input.models.whole();
-  const std::vector<std::string> names = write_outputs(options, input, report, execution);
+  const Written written = write_outputs(options, input, report, execution);
   if (execution.is_cancelled())
     return patience.say();
   if (!options.is_quiet) {
@@ -196,9 +196,11 @@ int run(Options& options)
     print_disagreement(options, model, report);
     print_unwelded(options, model, input.surface, report);
     print_table(options, model, report);
+    for (const std::string& line : written.seams)
+      std::printf("seams         %s\n", line.c_str());
     print_times(report, seconds_reading, writing.seconds());
-    for (std::size_t i = 0; i < names.size(); ++i)
-      std::printf("%-13s %s\n", i == 0 ? "written" : "", names[i].c_str());
+    for (std::size_t i = 0; i < written.names.size(); ++i)
+      std::printf("%-13s %s\n", i == 0 ? "written" : "", written.names[i].c_str());
     if (std::fflush(stdout) != 0)
       throw Atlas::IO_error("cannot write to stdout");
   }

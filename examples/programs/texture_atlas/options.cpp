@@ -193,6 +193,12 @@ void add_picture_options(CLI::App& app, Options& options)
                                                               {"occlusion", Bake::occlusion}})
               .description("colors|texture|normals|tangent-normals|occlusion"))
       ->allow_extra_args(false);
+  app.add_flag(
+         "--seamless", options.is_seamless,
+         "Change the texels along seams, as little as it takes, so that both sides of every seam show the "
+         "same colour, or normal, at mip levels 0 to 2; the report tells the largest difference that "
+         "is left. Goes well with --mip-levels 2")
+      ->needs("--bake");
   CLI::Option* bake_from =
       app.add_option(
              "--bake-from", options.detail,

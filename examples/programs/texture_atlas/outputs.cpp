@@ -12,6 +12,7 @@
 #include "bakes.h"
 #include "texture_atlas.h"
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -67,7 +68,7 @@ Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& mod
   const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
   const Atlas::Image board =
       Atlas::checkerboard(page.with_longer_side(side), std::max<std::size_t>(side / 16, 2));
-  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png"};
+  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png", {}};
 }
 
 /// The pictures of several pages have the number of their tile in their name.
@@ -154,6 +155,25 @@ void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_so
   add_textures(outputs, output, pngs, textures.suffix);
 }
 
+/// Adds what is to be said of the seams of a texture, if they have been closed.
+void tell_seams(const Textures& textures, Atlas::Json& json, std::vector<std::string>& lines)
+{
+  if (!textures.seams)
+    return;
+  const auto& before = textures.seams->before.largest;
+  const auto& after = textures.seams->after.largest;
+  json.push_back({{"texture", textures.suffix},
+                  {"edges", textures.seams->after.seams},
+                  {"largest_difference_before", before},
+                  {"largest_difference", after}});
+  char line[200];
+  std::snprintf(
+      line, sizeof line,
+      "%s: sides differ by at most %.2f, %.2f, %.2f of 255 at mip levels 0, 1, 2; were %.0f, %.0f, %.0f",
+      textures.suffix.c_str(), after[0], after[1], after[2], before[0], before[1], before[2]);
+  lines.emplace_back(line);
+}
+
 /// Which models there are, and where each starts in the lists of the report.
 Atlas::Json description(const Options& options, const Atlas::Joined_soups& models)
 {
@@ -230,9 +250,11 @@ void check_outputs(const Options& options)
       Atlas::internal::check_can_write(file);
 }
 
-std::vector<std::string> write_outputs(const Options& options, Input& input,
-                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution)
+Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_report& report,
+                      const Atlas::Execution& execution)
 {
+  Written written;
+  Atlas::Json seams = Atlas::Json::array();
   Outputs outputs;
   Atlas::Polygon_soup& model = input.models.whole();
   const fs::path output = options.output;
@@ -244,21 +266,26 @@ std::vector<std::string> write_outputs(const Options& options, Input& input,
       Atlas::add_normals(model);
     const Baker bake(options, input, Atlas::Image_size(options.page.width, options.page.height));
     const Textures textures = texture_of_model(options, model, bake, execution);
+    tell_seams(textures, seams, written.seams);
     clear_baked_colors(options, input);
     add_models(outputs, options, input.models, textures);
     for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion})
       if (options.has(what)) {
         const Textures further = bake(what, execution);
         add_textures(outputs, output, pngs_of(further), further.suffix);
+        tell_seams(further, seams, written.seams);
       }
     add_pictures(outputs, options, model, textures, report);
   }
   Atlas::Json json = description(options, input.models);
   json.update(to_json(report));
+  if (!seams.empty())
+    json["seams_of_textures"] = seams;
   if (!is_device || !options.report.empty())
     outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
                 Atlas::json_text(json));
   if (!execution.proceed(1))
     return {};
-  return outputs.commit();
+  written.names = outputs.commit();
+  return written;
 }

@@ -39,7 +39,7 @@ struct Options : Packing_options
   unsigned threads = 0;
   std::vector<Bake> bakes;
   bool keeps_uv = false, separates_materials = false, is_straightened = false, turns_faces = false,
-       has_pictures = false, is_quiet = false, shows_progress = false;
+       is_seamless = false, has_pictures = false, is_quiet = false, shows_progress = false;
   double time_limit = 0; ///< seconds; 0: none
   int uv_set = 0;        ///< the number of the new coordinates in a glTF document
   double weld = 0;       ///< vertices nearer than this share of the model's size are one; 0: only equal ones
@@ -96,9 +96,16 @@ void check_outputs(const Options& options);
 /// Whether charts that share their place show different colours of what is to be baked.
 bool is_stacked_wrongly(const Options& options, const Input& input, const Atlas::Atlas_report& report);
 
-/// Writes everything or nothing; nothing once cancelled. Returns the names of what has been written.
-std::vector<std::string> write_outputs(const Options& options, Input& input,
-                                       const Atlas::Atlas_report& report, const Atlas::Execution& execution);
+/// What has been written.
+struct Written
+{
+  std::vector<std::string> names;
+  std::vector<std::string> seams; ///< what there is to say of seams of textures, a line each
+};
+
+/// Writes everything or nothing; nothing once cancelled.
+Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_report& report,
+                      const Atlas::Execution& execution);
 
 void print_table(const Options& options, const Atlas::Polygon_soup& model, const Atlas::Atlas_report& report);
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace Atlas {
 
@@ -124,11 +125,55 @@ Image transfer_texture(const Polygon_soup& soup, Image_size size, const Source_t
 Bake_shader texture_shader(const Polygon_soup& soup, Image_size size, const Source_textures& source,
                            const Color& missing = {128, 128, 128});
 
+/// What the colours of a texture stand for.
+enum class Texel_meaning {
+  colors,         ///< what they are: colours, shades, normals in the coordinates of the model
+  tangent_normals ///< `in_tangent_space()`: the two sides of a seam see one normal as two colours
+};
+
+/// A texture is looked at in so many sizes: as it is, halved, and halved again (mip levels 0, 1 and 2).
+inline constexpr std::size_t seam_levels = 3;
+
+/// \brief How much the two sides of seams differ in what a renderer shows of a texture.
+struct Seam_difference
+{
+  std::size_t seams = 0;                     ///< edges whose two sides lie apart on the page
+  std::array<double, seam_levels> largest{}; ///< per mip level, in a component from 0 to 255; all along the
+                                             ///< seams, not at samples alone
+};
+
+/// \brief Measures what the two sides of seams show: bilinear interpolation of texels that are means of
+/// four of the size above. In alpha too, where a page has it.
+///
+/// \param pages    the pictures of all pages of the soup, of one size
+/// \param meaning  of normals in tangent space those in the coordinates of the model are compared, and edges
+/// at which the soup's own normals differ are left out
+/// \throw Invalid_argument the soup has not a coordinate per corner, or a page no picture, or sizes differ
+///
+/// Linear in texels and in texels along seams.
+Seam_difference seam_difference(const Polygon_soup& soup, const std::vector<Image>& pages,
+                                Texel_meaning meaning = Texel_meaning::colors);
+
+/// \brief Changes the texels near seams, by least squares as little as it takes, so that both sides of every
+/// seam show the same: to 1 of 255 at all three sizes, unless what crosses the seams has detail of a few
+/// texels, or the gutters are too narrow for the smallest size (`mip_levels` 2 keeps them wide enough).
+///
+/// Texels between charts change too. Detail along seams is blurred by a few texels.
+/// \return what is left: `seam_difference()` of the changed pages. The same for any number of threads.
+/// \throw Invalid_argument as `seam_difference()`
+///
+/// Some thousand passes over the texels along seams, most of which are skipped; ends early if the execution
+/// is cancelled.
+Seam_difference make_seamless(const Polygon_soup& soup, std::vector<Image>& pages,
+                              Texel_meaning meaning = Texel_meaning::colors,
+                              const Execution& execution = Execution());
+
 } // namespace Atlas
 
 #ifdef ATLAS_HEADER_ONLY
 #include <Atlas/bake/internal/bake_normals_impl.h>
 #include <Atlas/bake/internal/bake_texture_impl.h>
+#include <Atlas/bake/internal/make_seamless_impl.h>
 #include <Atlas/bake/internal/transfer_texture_impl.h>
 #endif
 

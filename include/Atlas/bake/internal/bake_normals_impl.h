@@ -3,12 +3,11 @@
 #define ATLAS_BAKE_INTERNAL_BAKE_NORMALS_IMPL_H
 
 #include <Atlas/bake/bake_texture.h>
-#include <Atlas/bake/internal/Tangent_frames.h>
+#include <Atlas/bake/internal/Shading_frames.h>
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/internal/library.h>
-#include <Atlas/soup/internal/corner_normals.h>
 #include <Atlas/soup/internal/index_uv.h>
 
 #include <bit>
@@ -18,28 +17,6 @@
 #include <vector>
 
 namespace Atlas {
-
-namespace internal {
-
-/// Unit normals per triangle corner: those that the soup has, else smooth ones.
-inline std::vector<Vector_3> shading_normals(const Polygon_soup& soup, const Surface& surface)
-{
-  std::vector<Vector_3> normals =
-      corner_normals(surface, facet_normals(surface, normalized_points(surface).points));
-  if (soup.corner_normal.empty())
-    return normals;
-  for (std::size_t h = 0; h < normals.size(); ++h) {
-    const Index n = soup.corner_normal[surface.corner[h]];
-    if (n >= soup.normals.size())
-      continue;
-    const double length = std::sqrt(soup.normals[n].squared_length());
-    if (length > 0 && std::isfinite(length))
-      normals[h] = soup.normals[n] / length;
-  }
-  return normals;
-}
-
-} // namespace internal
 
 ATLAS_INLINE Color color_of_normal(const Vector_3& n)
 {
@@ -86,22 +63,10 @@ ATLAS_INLINE Bake_normal in_tangent_space(const Polygon_soup& soup, Bake_normal 
 {
   internal::require(soup.uv.size() == soup.number_of_corners(), "soup", "must have a coordinate per corner");
   const Surface surface = build_surface(soup.points, soup.first, soup.vertices);
-  std::vector<Vector_3> normals = internal::shading_normals(soup, surface), tangents;
-  const std::vector<Point_3> points = internal::normalized_points(surface).points;
-  const internal::Tangent_frames frames(surface, points, soup, normals);
-  std::vector<double> signs;
-  for (Index h = 0; h < normals.size(); ++h)
-    tangents.push_back(frames.tangent(h));
-  for (Index t = 0; t < surface.number_of_triangles(); ++t)
-    signs.push_back(frames.sign(t));
-  return [normal = std::move(normal), normals = std::move(normals), tangents = std::move(tangents),
-          signs = std::move(signs)](const Bake_sample& sample) {
-    Vector_3 n(0, 0, 0), t(0, 0, 0);
-    for (Index i = 0; i < 3; ++i) {
-      n = n + sample.weights[i] * normals[3 * sample.triangle + i];
-      t = t + sample.weights[i] * tangents[3 * sample.triangle + i];
-    }
-    const Vector_3 b = signs[sample.triangle] * CGAL::cross_product(n, t), v = normal(sample);
+  return [normal = std::move(normal),
+          frames = internal::Shading_frames(soup, surface)](const Bake_sample& sample) {
+    const auto [t, b, n] = frames(sample.triangle, sample.weights);
+    const Vector_3 v = normal(sample);
     const double det = t * CGAL::cross_product(b, n);
     if (det == 0)
       return Vector_3(0, 0, 1);
