@@ -98,8 +98,9 @@ gl.bindBuffer(gl.ARRAY_BUFFER,gl.createBuffer());gl.bufferData(gl.ARRAY_BUFFER,v
 gl.enableVertexAttribArray(place);gl.vertexAttribPointer(place,size,gl.FLOAT,false,0,0);};
 const positions=new Float32Array(bytes(data.positions)),uvs=new Float32Array(bytes(data.uv)),charts=new Float32Array(bytes(data.charts));
 attribute("position",3,positions);attribute("uv",2,uvs);attribute("chart",1,charts);
-const elements=text=>{const values=new Uint32Array(bytes(text)),buffer=gl.createBuffer();
+const buffered=values=>{const buffer=gl.createBuffer();
 gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER,buffer);gl.bufferData(gl.ELEMENT_ARRAY_BUFFER,values,gl.STATIC_DRAW);return{buffer,count:values.length,values};};
+const elements=text=>buffered(new Uint32Array(bytes(text)));
 const triangles=elements(data.indices),seams=elements(data.seams);
 const uniforms={},uniform=name=>uniforms[name]||(uniforms[name]=gl.getUniformLocation(program,name));
 const images=["page","stretch"].map(id=>document.getElementById(id));
@@ -108,7 +109,7 @@ const load=()=>{gl.bindTexture(gl.TEXTURE_2D,texture);gl.texImage2D(gl.TEXTURE_2
 gl.generateMipmap(gl.TEXTURE_2D);gl.texParameteri(gl.TEXTURE_2D,gl.TEXTURE_MIN_FILTER,gl.LINEAR_MIPMAP_LINEAR);draw();};
 image.decode().then(load);return texture;});
 )html"
-    R"html(let azimuth,elevation,zoom,center,mode=0,chosen=-1,showsSeams=true,waits=false;
+    R"html(let azimuth,elevation,zoom,center,mode=0,chosen=-1,showsSeams=true,waits=false,moves=false,isSlow=false,last=0,rough=null;
 const reset=()=>{azimuth=-.5;elevation=.3;zoom=1;center=[0,0,0];};reset();
 const pass=(kind,elements,shape,nearer)=>{gl.uniform1i(uniform("mode"),kind);gl.uniform1f(uniform("nearer"),nearer);
 gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER,elements.buffer);gl.drawElements(shape,elements.count,gl.UNSIGNED_INT,0);};
@@ -118,15 +119,30 @@ const ca=Math.cos(azimuth),sa=Math.sin(azimuth),ce=Math.cos(elevation),se=Math.s
 gl.uniformMatrix3fv(uniform("turn"),false,[ca,sa*se,-sa*ce,0,ce,se,sa,-ca*se,ca*ce]);
 gl.uniform3fv(uniform("center"),center);gl.uniform1f(uniform("zoom"),zoom*.96);gl.uniform1f(uniform("aspect"),w/h);
 gl.uniform1f(uniform("squares"),data.squares);gl.uniform1f(uniform("chosen"),chosen);gl.uniform1f(uniform("density"),data.density);}
+// A large model turns as a rough copy where the computer cannot draw all of it in time: one vertex for each cell of a grid and each chart.
+function roughTriangles(){
+if(rough)return rough;
+const n=96,first=new Map(),own=new Uint32Array(charts.length),few=[],cell=(v,k)=>Math.floor((positions[3*v+k]+1)*n/2)+1;
+for(let v=0;v<charts.length;++v){const key=((cell(v,0)*128+cell(v,1))*128+cell(v,2))*16777216+charts[v]+1;
+let f=first.get(key);if(f===undefined){f=v;first.set(key,v);}own[v]=f;}
+for(let h=0;h<triangles.count;h+=3){const a=own[triangles.values[h]],b=own[triangles.values[h+1]],c=own[triangles.values[h+2]];
+if(a!==b&&b!==c&&c!==a)few.push(a,b,c);}
+return rough=buffered(new Uint32Array(few));}
+const shape=()=>moves&&isSlow?roughTriangles():triangles;
 function draw(){
 const w=Math.round(canvas.clientWidth*devicePixelRatio),h=Math.round(canvas.clientHeight*devicePixelRatio);
 if(canvas.width!==w||canvas.height!==h){canvas.width=w;canvas.height=h;}
 aim(w,h);gl.clearColor(.984,.984,.98,1);gl.clear(gl.COLOR_BUFFER_BIT|gl.DEPTH_BUFFER_BIT);
 gl.bindTexture(gl.TEXTURE_2D,pictures[mode===2?1:0]);
-pass(mode===4?7:mode,triangles,gl.TRIANGLES,0);
-if(showsSeams&&seams.count)pass(4,seams,gl.LINES,.002);}
+pass(mode===4?7:mode,shape(),gl.TRIANGLES,0);
+if(showsSeams&&seams.count&&!(moves&&isSlow))pass(4,seams,gl.LINES,.002);}
 // However many events there are, one picture a frame is drawn.
-const redraw=()=>{if(waits)return;waits=true;requestAnimationFrame(()=>{waits=false;draw();});};
+const redraw=()=>{if(waits)return;waits=true;requestAnimationFrame(now=>{waits=false;
+if(moves&&triangles.count>data.many&&last&&now-last>120)isSlow=true;
+last=moves?now:0;draw();});};
+let rest=0;
+const settle=()=>{clearTimeout(rest);rest=setTimeout(()=>{if(pointers.size||!moves)return;moves=false;redraw();},250);};
+const move=()=>{moves=true;settle();redraw();};
 // A picture beside the one that is seen. The numbers of charts on the model are drawn anew only when the view has changed.
 function target(w,h){
 const frame=gl.createFramebuffer(),colors=gl.createRenderbuffer(),depth=gl.createRenderbuffer();
@@ -135,7 +151,8 @@ gl.bindFramebuffer(gl.FRAMEBUFFER,frame);
 gl.bindRenderbuffer(gl.RENDERBUFFER,buffer);gl.renderbufferStorage(gl.RENDERBUFFER,format,w,h);
 gl.framebufferRenderbuffer(gl.FRAMEBUFFER,place,gl.RENDERBUFFER,buffer);});
 return{frame,free(){[colors,depth].forEach(b=>gl.deleteRenderbuffer(b));gl.deleteFramebuffer(frame);}};}
-function fill(kind,w,h){aim(w,h);gl.clearColor(0,0,0,0);gl.clear(gl.COLOR_BUFFER_BIT|gl.DEPTH_BUFFER_BIT);pass(kind,triangles,gl.TRIANGLES,0);}
+function fill(kind,w,h){aim(w,h);gl.clearColor(0,0,0,0);gl.clear(gl.COLOR_BUFFER_BIT|gl.DEPTH_BUFFER_BIT);
+pass(kind,kind===5&&isSlow?roughTriangles():triangles,gl.TRIANGLES,0);}
 function read(x,y,w,h){const pixels=new Uint8Array(4*w*h);gl.readPixels(x,y,w,h,gl.RGBA,gl.UNSIGNED_BYTE,pixels);
 gl.bindFramebuffer(gl.FRAMEBUFFER,null);return pixels;}
 const chartOf=(pixels,i)=>pixels[4*i]+256*pixels[4*i+1]+65536*pixels[4*i+2]-1;
@@ -218,16 +235,16 @@ button("Seams","on",b=>{showsSeams=!showsSeams;b.classList.toggle("on",showsSeam
 button("Whole model","",()=>{hideRings();reset();redraw();}).id="whole";
 const pointers=new Map();let spread=0;
 canvas.onpointerdown=e=>{pointers.set(e.pointerId,[e.clientX,e.clientY]);canvas.setPointerCapture(e.pointerId);spread=0;};
-canvas.onpointerup=canvas.onpointercancel=e=>{pointers.delete(e.pointerId);spread=0;};
+canvas.onpointerup=canvas.onpointercancel=e=>{pointers.delete(e.pointerId);spread=0;settle();};
 canvas.onpointermove=e=>{const before=pointers.get(e.pointerId);
 if(!before){const r=canvas.getBoundingClientRect(),x=Math.floor((e.clientX-r.left)/r.width*canvas.width),y=canvas.height-1-Math.floor((e.clientY-r.top)/r.height*canvas.height);
 choose(data.linked?chartAt(x,y):-1);return;}
 pointers.set(e.pointerId,[e.clientX,e.clientY]);hideRings();
 if(pointers.size===1){azimuth+=(e.clientX-before[0])*.008;
 elevation=Math.max(-1.57,Math.min(1.57,elevation+(e.clientY-before[1])*.008));}
-else{const[a,b]=[...pointers.values()],d=Math.hypot(a[0]-b[0],a[1]-b[1]);if(spread)zoom*=d/spread;spread=d;}redraw();};
+else{const[a,b]=[...pointers.values()],d=Math.hypot(a[0]-b[0],a[1]-b[1]);if(spread)zoom*=d/spread;spread=d;}move();};
 canvas.onpointerleave=()=>choose(-1);
-canvas.onwheel=e=>{e.preventDefault();hideRings();zoom=Math.max(.2,Math.min(200,zoom*Math.exp(-e.deltaY*.0015)));redraw();};
+canvas.onwheel=e=>{e.preventDefault();hideRings();zoom=Math.max(.2,Math.min(200,zoom*Math.exp(-e.deltaY*.0015)));move();};
 canvas.ondblclick=()=>{hideRings();reset();redraw();};
 addEventListener("resize",()=>{hideRings();drawOverlay();redraw();});setMode(0);
 })();

@@ -133,10 +133,10 @@ private:
   {
     std::ostringstream data;
     data << "{linked:" << (report_.charts.empty() ? "false" : "true")
-         << ",squares:" << std::max<Index>(report_.page_width / 16, 2) << ",density:" << model.density
-         << ",positions:\"" << base64_of(model.positions) << "\",uv:\"" << base64_of(model.uv)
-         << "\",charts:\"" << base64_of(model.charts) << "\",indices:\"" << base64_of(model.indices)
-         << "\",seams:\"" << base64_of(model.seams) << "\",about:[";
+         << ",squares:" << std::max<Index>(report_.page_width / 16, 2)
+         << ",many:900000,density:" << model.density << ",positions:\"" << base64_of(model.positions)
+         << "\",uv:\"" << base64_of(model.uv) << "\",charts:\"" << base64_of(model.charts) << "\",indices:\""
+         << base64_of(model.indices) << "\",seams:\"" << base64_of(model.seams) << "\",about:[";
     for (const Chart_report& chart : report_.charts)
       data << "\"" << about(chart) << "\",";
     data << "]}";
