@@ -5,11 +5,14 @@
 /// \file
 /// \brief The version of Atlas, for the preprocessor. The version of the CMake package is read from here.
 
+/// Rises when programs have to be changed much.
 #define ATLAS_VERSION_MAJOR 0
-#define ATLAS_VERSION_MINOR 1
+/// Rises when there is something new; below 1.0 programs may have to be changed too.
+#define ATLAS_VERSION_MINOR 2
+/// Rises when faults have been mended.
 #define ATLAS_VERSION_PATCH 0
 
 /// "major.minor.patch"
-#define ATLAS_VERSION "0.1.0"
+#define ATLAS_VERSION "0.2.0"
 
 #endif

@@ -5,7 +5,7 @@ from setuptools import setup
 
 setup(
     name="atlas-uv-xatlas",
-    version="0.1.0",
+    version="0.2.0",
     description="The interface of the package xatlas, on atlas-uv",
     license="MIT",
     python_requires=">=3.8",
