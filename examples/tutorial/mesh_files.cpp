@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh of CGAL's goes to a file with its coordinates, and comes back. Usage: tutorial_mesh_files mesh.off out.obj
+// A mesh of CGAL goes to a file with its coordinates, and back. Usage: tutorial_mesh_files mesh.off out.obj
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/generate_atlas.h>
