@@ -180,3 +180,8 @@ add_test(NAME Package.ConfigureWithoutOSMesa
 set_tests_properties(Package.ConfigureWithoutOSMesa PROPERTIES
                      PASS_REGULAR_EXPRESSION "without its component Rendering; not found: OSMesa.*Generating done"
                      FAIL_REGULAR_EXPRESSION "CMake Error")
+
+# Recipes of packages say what is so.
+add_test(NAME Package.RecipesAgreeWithTheProject
+         COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION} -P
+                 ${PROJECT_SOURCE_DIR}/cmake/check_recipes.cmake)
