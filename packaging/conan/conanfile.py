@@ -12,7 +12,7 @@ required_conan_version = ">=2.0"
 
 class AtlasConan(ConanFile):
     name = "atlas-uv"
-    version = "0.1.0"
+    version = "0.2.0"
     description = "Texture atlases of polygon meshes by least squares conformal maps, proved free of flips and overlaps"
     license = "MIT"
     topics = ("texture-atlas", "uv-unwrapping", "mesh", "parameterization")
