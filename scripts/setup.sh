@@ -9,6 +9,9 @@ ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
 ATLAS_PYTHON_PACKAGES=(pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools
                        python3-wheel)
 ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags pkgconf "${ATLAS_PYTHON_PACKAGES[@]}")
+# The package for browsers, and the browser that tests it.
+ATLAS_WASM_PACKAGES=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libtinygltf-dev nlohmann-json3-dev)
+ATLAS_BROWSER_PACKAGES=(chromium)
 ATLAS_CHECK_PACKAGES=(clang-format)
 
 say() { printf '\n== %s\n' "$*" >&2; }
@@ -62,6 +65,12 @@ install_clang() {
   local version
   version=$(clang --version | sed -n 's/.*version \([0-9]*\).*/\1/p;q')
   install_packages "libclang-rt-$version-dev"
+}
+
+# install_node: Node.js and npm, where no others are there. Emscripten wants one of them, whoever made it.
+install_node() {
+  command -v node >/dev/null || install_packages nodejs
+  command -v npm >/dev/null || install_packages npm
 }
 
 # demo_archive: the archive of meshes of the package libcgal-demo.
