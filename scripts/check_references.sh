@@ -27,8 +27,8 @@ for page in "${pages[@]}"; do
   done
 done
 
-# has NAME: whether the reference names it as code.
-has() { grep -qE "\`$1[\` ]" "$reference"; }
+# has NAME: whether a row of a table of the reference begins with it, or names it in its first column.
+has() { grep -qE "^\|[^|]*\`$1[\` ]" "$reference"; }
 
 for option in $(grep -ohE '"(-o,)?--[a-z-]+"' examples/programs/{texture_atlas,repack_atlas,verify_atlas,common}/*.cpp | tr -d '"' | sed -E 's/^(-o,)?--output$/-o/' | sort -u); do
   has "$option" || fault "$reference: the option $option is missing"
