@@ -163,9 +163,22 @@ places out/a.obj | awk '{ x[NR] = $1; y[NR] = $2; w[NR] = sqrt(($1 - $3)^2 + ($2
 # A chart that has no coordinates, or lies face down, cannot stay.
 sed 's#^f 1/1 2/2 3/3 4/4#f 1 2 3 4#; s#^f 5/5 6/6 7/7 8/8#f 5/6 6/5 7/8 8/7#' squares.obj >unlockable.obj
 expect 0 1 unlockable.obj -o out/a.obj --texture-size 256 --keep-uv --lock wood
-grep -q '2 faces of locked materials' stderr || fail "faces that do not stay: $(cat stderr)"
+grep -q '2 faces that are to stay' stderr || fail "faces that do not stay: $(cat stderr)"
 expect 0 0 squares.obj -o out/a.obj --texture-size 256 --stack copies --hard-angle 30 --quiet
 [ "$(places out/a.obj | sort -u | wc -l)" -eq 1 ] || fail "copies are not stacked: $(places out/a.obj)"
+# A part of a mesh: what is not unwrapped stays to the bit, and has room.
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --only iron --quiet
+[ "$(moved out/a.obj)" = '3 4 5 6 ' ] || fail "only iron: moved are $(moved out/a.obj)"
+sides out/a.obj | awk 'NR > 2 && !($1 > 26) { exit 1 }' || fail "only iron: small squares, $(sides out/a.obj)"
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --only iron --only wood --quiet
+[ "$(moved out/a.obj)" = '1 2 3 4 5 6 ' ] || fail "only iron and wood: moved are $(moved out/a.obj)"
+sed 's#^f 9/9 10/10 11/11 12/12#f 9 10 11 12#' squares.obj >partly.obj # the new face alone has no coordinates
+expect 0 0 partly.obj -o out/a.obj --texture-size 256 --only iron --quiet
+expect 0 1 unlockable.obj -o out/a.obj --texture-size 256 --only iron
+grep -q '2 faces that are to stay' stderr || fail "faces that cannot stay: $(cat stderr)"
+expect 2 1 squares.obj -o out/a.obj --only gold
+expect 2 1 squares.obj -o out/a.obj --only iron --keep-uv
+expect 2 1 squares.obj -o out/a.obj --only iron --lock wood
 for wish in '--lock wood' '--group wood'; do
   expect 2 1 squares.obj -o out/b.obj $wish
   grep -q -e "${wish% *}: .*keep-uv" stderr || fail "no word on --keep-uv: $(cat stderr)"

@@ -68,11 +68,12 @@ void print_rejected(const Options& options, const Atlas::Joined_soups& models,
 
 namespace {
 
-/// How many faces of locked materials are not where they were.
+/// How many faces of locked materials, or of those that are not unwrapped, are not where they were.
 std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup& model)
 {
   constexpr double tolerance = 1e-5;
   const std::vector<Material_rule> rules = rules_of(options.materials, model);
+  const std::vector<bool> is_unwrapped = faces_to_unwrap(options, model);
   const std::vector<Atlas::Point_2> uv = Atlas::udim_uv(model);
   std::size_t count = 0;
   for (std::size_t f = 0; f < model.face_material.size(); ++f) {
@@ -81,7 +82,8 @@ std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup
       is_moved = is_moved || !(std::abs(uv[c].x() - model.old_uv[c].x()) <= tolerance &&
                                std::abs(uv[c].y() - model.old_uv[c].y()) <= tolerance);
     const Atlas::Index material = model.face_material[f];
-    count += is_moved && material != Atlas::no_index && rules[material].is_locked;
+    const bool is_locked = material != Atlas::no_index && rules[material].is_locked;
+    count += is_moved && (options.only.empty() ? is_locked : !is_unwrapped[f]);
   }
   return count;
 }
@@ -91,10 +93,10 @@ std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup
 void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
                        const Atlas::Atlas_report& report)
 {
-  if (!options.materials.locked.empty())
+  if (!options.materials.locked.empty() || !options.only.empty())
     if (const std::size_t moved = moved_locked_faces(options, model))
       std::fprintf(stderr,
-                   "texture_atlas: %zu faces of locked materials have no usable place in the file (no "
+                   "texture_atlas: %zu faces that are to stay have no usable place in the file (no "
                    "coordinates, face down, or folded) and got another\n",
                    moved);
   constexpr double tolerance = 1e-6;

@@ -137,6 +137,11 @@ void add_input_options(CLI::App& app, Options& options)
       "--keep-uv", options.keeps_uv,
       "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
       "faces without coordinates are flattened. Does not go with options that tell what charts are like");
+  app.add_option(
+         "--only", options.only,
+         "MATERIAL: unwrap its faces anew, and pack them around the charts of all others, which stay where "
+         "they are in the file. May be given several times")
+      ->allow_extra_args(false);
   app.add_flag("--orient", options.turns_faces,
                "Turn faces around first, so that neighbours agree which side is outside, as most of them do. "
                "Charts never run over an edge where they disagree");
@@ -233,6 +238,12 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
     if (app.count(option) > 0)
       throw CLI::ValidationError(named, why);
   };
+  if (!options.only.empty())
+    for (const char* name : {"--keep-uv", "--group", "--lock", "--weight", "--seams", "--hide-seams",
+                             "--separate-materials", "--free-aspect", "--min-coverage"})
+      refuse(name, "--only", std::string("does not go with ") + name);
+  if (!options.only.empty() && options.page.width != options.page.height)
+    throw CLI::ValidationError("--only", "charts stay where they are on square pages only");
   if (!options.keeps_uv) {
     for (const char* name : {"--group", "--lock"})
       refuse(name, name, "charts have places only where those of the file are kept: add --keep-uv");

@@ -26,7 +26,7 @@ void check_wishes(const Options& options, const std::vector<Atlas::Polygon_soup>
     throw Atlas::IO_error((options.detail.empty() ? options.name() : options.detail) +
                           ": neither vertices nor faces have colours to bake");
   const auto has_uv = [](const auto& soup) { return !soup.uv.empty(); };
-  if (options.keeps_uv && std::none_of(soups.begin(), soups.end(), has_uv))
+  if ((options.keeps_uv || !options.only.empty()) && std::none_of(soups.begin(), soups.end(), has_uv))
     throw Atlas::IO_error(options.name() + ": there are no texture coordinates in this file");
 }
 

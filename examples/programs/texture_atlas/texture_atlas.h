@@ -29,8 +29,9 @@ struct Options : Packing_options
   std::string mode = "standard", measure;
   Atlas::Symmetry symmetry = Atlas::Symmetry::off;
   Stage_names stages;
-  std::string seams;                                               ///< a file of them
-  std::string hiding;                                              ///< from whom seams are hidden
+  std::string seams;             ///< a file of them
+  std::vector<std::string> only; ///< the materials that are unwrapped; empty: all
+  std::string hiding;            ///< from whom seams are hidden
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
   double max_stretch = 0, max_stretch_share = 0;                   ///< 0: not given
   double min_coverage = 0, min_texels_per_chart = 0;               ///< 0: not given
@@ -89,6 +90,10 @@ void hide_seams(const Options& options, const Atlas::Polygon_soup& model, Atlas:
 Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,
                                Atlas::Surface& surface, std::vector<Atlas::Point_2>& uv,
                                const std::function<bool(Atlas::Stage, double)>& progress);
+
+/// Per face of the model, whether it is of a material that is unwrapped. \throw CLI::ValidationError if there
+/// is no such material
+std::vector<bool> faces_to_unwrap(const Options& options, const Atlas::Polygon_soup& model);
 
 /// Finds out whether the outputs can be written, before the work. \throw Atlas::IO_error
 void check_outputs(const Options& options);
