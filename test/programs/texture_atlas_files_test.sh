@@ -147,6 +147,11 @@ assert seams[0]["largest_difference_before"][0] > 2 and seams[1]["largest_differ
 assert all(d <= 1 for s in seams for d in s["largest_difference"]), seams
 REPORT
 grep -q '^seams  *_color.png: sides differ by at most 0' stdout || fail "nothing is said of seams: $(cat stdout)"
+[ "$(grep -h '^map_Kd\|^norm' a.mtl | tr '\n' ' ')" = 'map_Kd a_color.png norm a_tangent_normal.png ' ] || fail "no map of normals in the material: $(cat a.mtl)"
+make 0 0 colored.obj -o a.obj --hard-angle 30 --density 30 --bake tangent-normals --quiet
+[ "$(ls a_tangent_normal.*.png | wc -l)" -gt 1 ] && grep -q '^norm a_tangent_normal.<UDIM>.png$' a.mtl || fail "maps of normals of several pages: $(cat a.mtl; ls)"
+make 0 0 colored.obj -o a.obj --bake normals --quiet
+grep -q '^norm' a.mtl && fail "normals that are not of tangent space: $(cat a.mtl)"
 make 2 1 colored.obj -o a.obj --seamless
 grep -q -e '--seamless requires --bake' stderr || fail "seams without a bake: $(cat stderr)"
 

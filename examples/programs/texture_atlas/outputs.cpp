@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 namespace {
@@ -113,6 +114,22 @@ void clear_baked_colors(const Options& options, Input& input)
   input.models.whole().face_colors.clear();
 }
 
+/// The materials of an MTL file with the map of normals beside each picture (`norm`, as the extension of the
+/// format for physically based materials has it).
+std::string with_normal_maps(const std::string& library, const std::string& suffix)
+{
+  const std::string stem = suffix.substr(0, suffix.rfind('.'));
+  std::istringstream lines(library);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    result += line + '\n';
+    const std::size_t at = line.rfind(stem);
+    if (line.rfind("map_Kd ", 0) == 0 && at != std::string::npos)
+      result += "norm " + line.substr(7, at - 7) + "_tangent_normal" + line.substr(at + stem.size()) + '\n';
+  }
+  return result;
+}
+
 /// The models in the format that the extension of the output names, with the texture of all. It is inside of
 /// a glTF file only if there is but one model.
 void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_soups& models,
@@ -149,9 +166,12 @@ void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_so
   const std::vector<std::string> files = options.models();
   for (std::size_t i = 0; i < files.size(); ++i)
     outputs.add(files[i], files.size() == 1 ? bytes_of(models.whole()) : bytes_of(models.part(i)));
-  if (output.extension() == ".obj")
-    outputs.add(library,
-                Atlas::mtl_text(models.whole(), picture, Atlas::Page_style::udim, has_alpha(textures)));
+  if (output.extension() == ".obj") {
+    const std::string materials =
+        Atlas::mtl_text(models.whole(), picture, Atlas::Page_style::udim, has_alpha(textures));
+    outputs.add(library, options.has(Bake::tangent_normals) ? with_normal_maps(materials, textures.suffix)
+                                                            : materials);
+  }
   add_textures(outputs, output, pngs, textures.suffix);
 }
 
