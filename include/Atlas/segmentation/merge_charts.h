@@ -23,8 +23,8 @@ struct Merge_options
   /// Its bound for each chart that comes from merging: at least 1, which is no distortion; infinity: none.
   double max_distortion = 1.035;
   /// Besides, the stretch of a triangle, which is max(s1, 1/s2) with the chart scaled to its area in space:
-  /// at least 1; infinity: no bound ...
-  double max_stretch = 2.5;
+  /// at least 1; infinity: no bound. Trials use nine tenths of what it allows beyond 1 ...
+  double max_stretch = 1.5;
   /// ... is at most that on this share of each chart's area, in (0, 1]; 1: of every triangle.
   double max_stretch_share = 0.99;
   /// Trials may use this share of what the bound allows beyond 1: less than 1 leaves a margin for what only

@@ -27,6 +27,10 @@ namespace internal {
 inline constexpr int default_trial_iterations = 8;
 inline constexpr double default_trial_tolerance = 1e-3;
 
+/// The power of the energy whose mean charts of the mode `standard` end at: it lowers the worst places, and
+/// costs the mean little.
+inline constexpr unsigned standard_tail_exponent = 4;
+
 /// The share of a page that charts cover as a rule.
 inline constexpr double usual_packing_efficiency = 0.6;
 
@@ -59,6 +63,16 @@ inline Any_packer trial_packer()
   budget.searches = 1;
   budget.max_charts = max_charts_of_fast_search;
   return Page_packer(Raster_engine{budget});
+}
+
+/// How charts that have been decided on are flattened. In the other modes the mean is what their bounds leave
+/// least room in.
+inline Any_parameterizer final_parameterizer(Atlas_mode mode)
+{
+  Distortion_options options;
+  if (mode == Atlas_mode::standard)
+    options.tail_exponent = standard_tail_exponent;
+  return Bijective_parameterizer(optimize_charts(mode), options);
 }
 
 /// How unions of charts are flattened for trial.
@@ -102,7 +116,7 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symm
                              Identity_optimizer(), options);
   return {Developable_segmentation(Mirrored_segmentation(std::move(curved), symmetry),
                                    internal::trial_packer(), options.max_charts),
-          Isometric_parameterizer(Bijective_parameterizer(optimize)),
+          Isometric_parameterizer(internal::final_parameterizer(mode)),
           Identity_optimizer(),
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),
           Culprit_splitter(quantile),

@@ -4,11 +4,9 @@
 
 #include <Atlas/core/internal/library.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
+#include <Atlas/parameterization/internal/distortion/Descent.h>
 #include <Atlas/parameterization/internal/distortion/Multilevel_start.h>
-#include <Atlas/parameterization/internal/distortion/distortion_minimizer.h>
 #include <Atlas/parameterization/internal/geometry/normalize_area.h>
-
-#include <cmath>
 
 namespace Atlas::internal {
 
@@ -20,27 +18,14 @@ ATLAS_INLINE void check_options(const Distortion_options& options)
   require(options.stretch_weight >= 0 && options.stretch_weight <= 1, "stretch_weight", "must be in [0, 1]");
 }
 
-/// Goes on from the least mean of an energy to the least mean of its power.
-template <typename Energy>
-void lower_tail(Distortion_minimizer<Power_of_energy<Energy>>& minimizer, const Energy& energy,
-                const Distortion_options& options, const Execution& execution, Distortion_record& record)
-{
-  if (options.tail_exponent == 1)
-    return;
-  minimizer.change_energy({energy, options.tail_exponent});
-  if (std::isfinite(minimizer.mean_energy()))
-    record.iterations += minimizer.minimize(options.max_iterations, options.tolerance, 0, execution);
-  minimizer.change_energy({energy});
-}
-
 /// \tparam Energy  one of those of distortion_energy.h
 template <typename Energy>
 Chart_status optimize_distortion(const Energy& energy, const Distortion_options& options, Chart& chart,
                                  const Execution& execution, Distortion_record& record)
 {
   const Chart_geometry geometry(chart);
-  using Power = Power_of_energy<Energy>;
-  Distortion_minimizer<Power> minimizer(geometry, coordinates_of(geometry), {energy});
+  Descent<Energy> descent(energy, options);
+  typename Descent<Energy>::Minimizer minimizer(geometry, coordinates_of(geometry), descent.mean());
   record.before = record.after = minimizer.mean_energy() / Energy::isometry;
   if (minimizer.has_flip() || chart.triangles.empty())
     return Chart_status::flipped;
@@ -49,13 +34,13 @@ Chart_status optimize_distortion(const Energy& energy, const Distortion_options&
   if (options.keeps_border)
     minimizer.keep_border();
   else if (minimizer.mean_energy() > target) {
-    Multilevel_start<Power> start(geometry, minimizer.borders(), minimizer.coordinates(), {energy});
-    if (start(options.max_iterations, options.tolerance, execution) && minimizer.adopt(start.coordinates()) &&
-        start.is_guarded())
+    Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates(), descent);
+    if (!start(execution) || !minimizer.adopt(start.coordinates()))
+      descent.start_over();
+    else if (start.is_guarded())
       minimizer.guard();
   }
-  record.iterations = minimizer.minimize(options.max_iterations, options.tolerance, target, execution);
-  lower_tail(minimizer, energy, options, execution, record);
+  record.iterations = descent(minimizer, target, execution);
   minimizer.scale(density_correction(geometry, minimizer.coordinates()));
   store_coordinates(geometry, minimizer.coordinates(), 1, chart);
   record.after = minimizer.mean_energy() / Energy::isometry;

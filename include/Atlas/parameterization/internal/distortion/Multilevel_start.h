@@ -3,8 +3,8 @@
 #define ATLAS_PARAMETERIZATION_INTERNAL_DISTORTION_MULTILEVEL_START_H
 
 #include <Atlas/core/Execution.h>
+#include <Atlas/parameterization/internal/distortion/Descent.h>
 #include <Atlas/parameterization/internal/distortion/chart_hierarchy.h>
-#include <Atlas/parameterization/internal/distortion/distortion_minimizer.h>
 
 #include <cstddef>
 #include <utility>
@@ -25,13 +25,14 @@ class Multilevel_start
 {
 public:
   /// \param borders  the border loops of the chart
+  /// \param descent  must outlive this object
   Multilevel_start(const Chart_geometry& geometry, const std::vector<std::vector<Index>>& borders,
-                   const std::vector<Complex>& u, const Energy& energy)
-      : energy_(energy), geometry_(geometry), borders_(borders), u_(u), hierarchy_(geometry, u_)
+                   const std::vector<Complex>& u, Descent<Energy>& descent)
+      : descent_(descent), geometry_(geometry), borders_(borders), u_(u), hierarchy_(geometry, u_)
   {}
 
   /// \return `false` if there is no coarser mesh, or no way back from it
-  bool operator()(std::size_t max_steps, double tolerance, const Execution& execution)
+  bool operator()(const Execution& execution)
   {
     if (u_.size() < least_chart_with_levels)
       return false;
@@ -42,7 +43,7 @@ public:
     for (std::size_t level = hierarchy_.levels().size(); level-- > 1;) {
       if (!is_changed && was_simple && !is_simple(level, u))
         continue; // two parts of the border are too near for a mesh so coarse
-      if (!minimize(level, u, max_steps, tolerance, execution) || !refine(level - 1, u))
+      if (!minimize(level, u, execution) || !refine(level - 1, u))
         return false;
       is_changed = true;
     }
@@ -64,8 +65,7 @@ private:
     return Injectivity_checker(geometry_.chart(), std::move(loops)).is_border_simple(u);
   }
 
-  bool minimize(std::size_t level, std::vector<Complex>& u, std::size_t max_steps, double tolerance,
-                const Execution& execution)
+  bool minimize(std::size_t level, std::vector<Complex>& u, const Execution& execution)
   {
     const Chart chart = hierarchy_.chart(level);
     const Chart_geometry geometry(chart);
@@ -74,12 +74,12 @@ private:
     std::vector<Complex> part;
     for (const Index v : vertices)
       part.push_back(unit * u[v]);
-    Distortion_minimizer<Energy> minimizer(geometry, std::move(part), energy_);
+    typename Descent<Energy>::Minimizer minimizer(geometry, std::move(part), descent_.mean());
     if (minimizer.has_flip())
       return false;
     if (is_guarded_)
       minimizer.guard();
-    (void)minimizer.minimize(max_steps, tolerance, 0, execution);
+    (void)descent_(minimizer, 0, execution);
     is_guarded_ = minimizer.is_guarded();
     for (std::size_t i = 0; i < vertices.size(); ++i)
       u[vertices[i]] = minimizer.coordinates()[i] / unit;
@@ -95,7 +95,7 @@ private:
     return hierarchy_.refine(level, u, true) && is_simple(level, u);
   }
 
-  Energy energy_;
+  Descent<Energy>& descent_;
   const Chart_geometry& geometry_;
   const std::vector<std::vector<Index>>& borders_;
   std::vector<Complex> u_;

@@ -32,13 +32,18 @@ inline double share_of_coarse_triangles(const std::vector<Triangle_distortion>& 
   return bound.stretch_share < 1 && sum > 0 ? 1 - largest / sum : 1;
 }
 
+/// Trials may use this share of the stretch that the bound allows beyond 1: at full resolution there are
+/// worse places, and a chart that is beyond its bound then has to be cut and flattened anew.
+inline constexpr double stretch_share_for_trials = 0.9;
+
 /// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
   if (std::isfinite(factor)) {
     Distortion_bound bound = bound_of(options);
     bound.max = 1 + factor * options.share_for_trials * (bound.max - 1);
-    bound.max_stretch = 1 + factor * options.share_for_trials * (bound.max_stretch - 1);
+    bound.max_stretch =
+        1 + factor * options.share_for_trials * stretch_share_for_trials * (bound.max_stretch - 1);
     const std::vector<Triangle_distortion> measured = triangle_distortions(layout);
     bound.stretch_share = std::min(bound.stretch_share, share_of_coarse_triangles(measured, bound));
     if (!(used_share(measured, bound) <= 1))

@@ -63,12 +63,16 @@ inline Chart_merger best_merger(const Chart_merger& unmerged, const Merge_option
                            [&](const Chart_merger& a, const Chart_merger& b) { return score(a) < score(b); });
 }
 
+/// Where the mean is what counts, single places may have that.
+inline constexpr double loose_stretch = 2.5;
+
 } // namespace internal
 
 ATLAS_INLINE Merge_options few_seams_options()
 {
   Merge_options options;
   options.max_distortion = 1.05;
+  options.max_stretch = internal::loose_stretch;
   options.max_area_share = 1;
   options.solidity_of_large_charts = 0.45;
   options.min_solidity = 0.45;
@@ -80,6 +84,7 @@ ATLAS_INLINE Merge_options conformal_options()
   Merge_options options;
   options.measure = Distortion_measure::area_ratio_quantiles;
   options.max_distortion = 2; // the paper's
+  options.max_stretch = internal::loose_stretch;
   options.share_for_trials = 0.65;
   options.triangles_per_chart = 240;
   options.max_trial_triangles = 20000;
