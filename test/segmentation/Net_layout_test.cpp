@@ -4,6 +4,7 @@
 #include <Atlas/segmentation/internal/developable/Net_builder.h>
 
 #include "test_meshes.h"
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -54,6 +55,32 @@ TEST(Net_layout, right_angled_borders_have_a_dominant_direction)
   }
   EXPECT_FALSE(alignment_of(sides(regular_polygon(12))).is_dominant());
   EXPECT_FALSE(alignment_of(sides({{0, 0}, {10, 0}, {0.5, 0.3}})).is_dominant());
+}
+
+TEST(Net_layout, points_are_sorted_whatever_runs_they_come_in)
+{
+  const auto is_less = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::vector<Vec2> points;
+  for (int parts = 0; parts < 8; ++parts) { // two polygons are few runs, seven are many
+    std::vector<Vec2> sorted = points, expected = points;
+    sort_along_x(sorted);
+    std::sort(expected.begin(), expected.end(), is_less);
+    EXPECT_TRUE(sorted == expected);
+    for (const Vec2 p : turned(regular_polygon(3 + 7 * parts), 0.3 * parts))
+      points.push_back(p + Vec2{0.25 * parts, 0});
+    points.push_back(points.front());
+  }
+}
+
+TEST(Net_layout, smaller_squares_are_looked_for_only_where_they_matter)
+{
+  const std::vector<Vec2> bar = turned({{0, 0}, {8, 0}, {8, 1}, {0, 1}}, 0.2);
+  const Extent whole = extent_of_hull(bar, Alignment()), quick = extent_of_hull(bar, Alignment(), 8.5);
+  EXPECT_LT(whole.square, 6.5); // along the diagonal of the square
+  EXPECT_NEAR(quick.square, 8, 1e-9);
+  EXPECT_EQ(quick.rectangle, whole.rectangle);
+  EXPECT_EQ(quick.hull, whole.hull);
+  EXPECT_EQ(extent_of_hull(bar, Alignment(), 7.5).square, whole.square);
 }
 
 TEST(Net_layout, joined_borders_take_the_direction_that_more_of_them_has)

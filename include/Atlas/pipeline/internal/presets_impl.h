@@ -56,11 +56,12 @@ inline Distortion_bound kept_bound(const Merge_options& options)
   return options.max_charts > 0 || options.min_chart_area > 0 ? Distortion_bound() : bound_of(options);
 }
 
-/// Who tells how well nets fill a page: that nets are compared takes one search, not the best of several.
+/// Who tells how well nets fill a page: that nets are compared takes one first layout of good size.
 inline Any_packer trial_packer()
 {
   Search_budget budget = racing_budget();
   budget.searches = 1;
+  budget.rounds = 0;
   budget.max_charts = max_charts_of_fast_search;
   return Page_packer(Raster_engine{budget});
 }

@@ -135,6 +135,9 @@ public:
     return std::min(1.0, parts_->whole_area / (side * side));
   }
 
+  /// Whether the same arcs are glued.
+  bool is_like(const Net_builder& other) const { return is_glued_ == other.is_glued_; }
+
   Index net_of(Index facet) { return nets_of_.find(facet); }
   bool is_glued(Index h) const { return placement_.is_glued(h); }
   std::size_t number_of_nets() const
@@ -302,13 +305,15 @@ private:
           }
   }
 
-  /// The room that both nets take when they are glued.
+  /// The room that both nets take when they are glued. Squares within the limit are not looked for.
   Extent extent_of(const Joint& j) const
   {
-    std::vector<Vec2> points = nets_[j.a].hull;
+    std::vector<Vec2> points;
+    points.reserve(nets_[j.a].hull.size() + nets_[j.b].hull.size());
+    points = nets_[j.a].hull;
     for (const Vec2 p : nets_[j.b].hull)
       points.push_back(j.motion(p));
-    return extent_of_hull(convex_hull(std::move(points)), border_of(j));
+    return extent_of_hull(convex_hull(std::move(points)), border_of(j), side_limit_);
   }
 
   Alignment border_of(const Joint& j) const

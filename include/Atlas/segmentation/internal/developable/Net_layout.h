@@ -73,7 +73,7 @@ struct Extent
 {
   double rectangle = 0;   ///< area of the bounding rectangle
   double side = 0;        ///< its longer side
-  double square = 0;      ///< side of a square around it
+  double square = 0;      ///< side of a square around it, at most `side`
   double hull = 0;        ///< area of the convex hull
   double free_square = 0; ///< side of a small square around it, in any of twelve directions
 
@@ -83,19 +83,35 @@ struct Extent
   double room() const { return (rectangle + hull) / 2; }
 };
 
+/// The directions over 90 degrees but for the first, which is (1, 0).
+inline const std::array<Vec2, Extent::directions - 1>& directions_of_extent()
+{
+  static const auto result = [] {
+    std::array<Vec2, Extent::directions - 1> turns;
+    for (int k = 1; k < Extent::directions; ++k) {
+      const double angle = k * CGAL_PI / (2 * Extent::directions);
+      turns[k - 1] = {std::cos(angle), std::sin(angle)};
+    }
+    return turns;
+  }();
+  return result;
+}
+
 /// What has a dominant direction will lie along it on the page, as packers place it
 /// (`Chart_rotation::aligned`); all else as it takes least room.
-inline Extent extent_of_hull(const std::vector<Vec2>& hull, const Alignment& border)
+///
+/// \param small  no square smaller than a side of this length is looked for
+inline Extent extent_of_hull(const std::vector<Vec2>& hull, const Alignment& border, double small = 0)
 {
   const Vec2 e = border.is_dominant() ? border.direction : least_rectangle_direction(hull);
   const Vec2 size = size_along(hull, e);
   const double side = std::max(size.x, size.y);
   Extent result{size.x * size.y, side, side, 0, side};
-  for (int k = 1; k < Extent::directions; ++k) {
-    const double angle = k * CGAL_PI / (2 * Extent::directions);
-    const Vec2 turned = size_along(hull, rotated({std::cos(angle), std::sin(angle)}, e));
-    result.free_square = std::min(result.free_square, std::max(turned.x, turned.y));
-  }
+  if (side > small)
+    for (const Vec2& turn : directions_of_extent()) {
+      const Vec2 turned = size_along(hull, rotated(turn, e));
+      result.free_square = std::min(result.free_square, std::max(turned.x, turned.y));
+    }
   if (!border.is_dominant())
     result.square = result.free_square;
   for (std::size_t i = 0; i < hull.size(); ++i)

@@ -107,9 +107,11 @@ private:
     std::vector<Net_builder> pieces;
     for (std::size_t i = 0; i < std::min(n, shares_of_pieces.size()); ++i)
       pieces.emplace_back(parts).glue_rulings(shares_of_pieces[i], execution_);
-    trials_.resize(n);
-    execution_.for_each(n, [&](std::size_t i) {
-      Trial& trial = trials_[i];
+    const std::vector<std::size_t> jobs = different(pieces, n);
+    trials_.resize(jobs.size());
+    execution_.for_each(jobs.size(), [&](std::size_t k) {
+      const std::size_t i = jobs[k];
+      Trial& trial = trials_[k];
       trial.builder = std::make_unique<Net_builder>(pieces[i % pieces.size()]);
       trial.builder->glue_creases(all[i / pieces.size()], execution_);
       trial.seams = trial.builder->seam_length();
@@ -118,6 +120,21 @@ private:
       trial.cut_rulings = std::max(pieces[i % pieces.size()].length_of_open_rulings() - least, 0.0);
       trial.cost = cost(trial);
     });
+  }
+
+  /// The numbers up to n of pieces in styles, without pieces that are like others: where nothing unrolls, all
+  /// are.
+  static std::vector<std::size_t> different(const std::vector<Net_builder>& pieces, std::size_t n)
+  {
+    const auto is_first = [&](std::size_t i) {
+      return std::none_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i),
+                          [&](const Net_builder& other) { return pieces[i].is_like(other); });
+    };
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < n; ++i)
+      if (is_first(i % pieces.size()))
+        result.push_back(i);
+    return result;
   }
 
   /// Each layout once, as far as its figures tell, the best estimates first.
