@@ -11,6 +11,7 @@
 #include <Atlas/segmentation/cut_to_discs.h>
 #include <Atlas/segmentation/internal/merging/Chart_arcs.h>
 #include <Atlas/segmentation/internal/merging/Coarse_surface.h>
+#include <Atlas/segmentation/internal/merging/layout_limits.h>
 #include <Atlas/segmentation/internal/merging/layout_quality.h>
 
 #include "test_meshes.h"
@@ -286,7 +287,7 @@ TEST(LayoutShape, HullCrossingsGapsAndMisfit)
   std::vector<Point_2> turned;
   for (const Point_2& p : square)
     turned.emplace_back(3 - p.y(), p.x() - 7);
-  EXPECT_NEAR(internal::chain_misfit(square, turned), 0, 1e-7);
+  EXPECT_NEAR(internal::chain_fit(square, turned).misfit, 0, 1e-7);
   // A straight chain against one bent by a right angle in its middle.
   const std::vector<Point_2> straight{{-1, 0}, {0, 0}, {1, 0}}, bent{{-1, 0}, {0, 0}, {0, 1}};
   const auto at = [&](double angle) { // by trying all rotations about the weighted means
@@ -302,7 +303,27 @@ TEST(LayoutShape, HullCrossingsGapsAndMisfit)
   double best = 10;
   for (int i = 0; i < 3600; ++i)
     best = std::min(best, at(2 * M_PI * i / 3600));
-  EXPECT_NEAR(internal::chain_misfit(straight, bent), best, 1e-4);
+  EXPECT_NEAR(internal::chain_fit(straight, bent).misfit, best, 1e-4);
+}
+
+TEST(MergeCharts, LayoutsBesideEachOtherFillLessOfTheirHull)
+{
+  // Two rectangles of 2 x 1 that make a square, and that make an L of 4/5 of its hull.
+  Chart a;
+  a.uv = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  a.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Point_2> side{{0, 0}, {2, 0}}, lower{{0, 1}, {2, 1}}, half{{1, 1}, {2, 1}},
+      end{{0, 1}, {0, 0}};
+  EXPECT_NEAR(internal::solidity_side_by_side(a, a, internal::chain_fit(lower, side)), 1, 1e-9);
+  // The short side of the second lies on the right half of the first.
+  const internal::Chain_fit upright = internal::chain_fit(half, end);
+  EXPECT_NEAR(upright.misfit, 0, 1e-9);
+  EXPECT_NEAR(internal::solidity_side_by_side(a, a, upright), 4 / 5.0, 1e-9);
+  Merge_options options;
+  options.min_solidity = 0.5;
+  options.solidity_of_large_charts = 0.9;
+  EXPECT_EQ(internal::least_solidity(false, options), 0.5);
+  EXPECT_EQ(internal::least_solidity(true, options), 0.9);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Atlas::internal {
@@ -56,12 +57,30 @@ inline bool is_within_bound(const Chart& layout, const Merge_options& options, d
   return true;
 }
 
-/// Whether a chart that comes from merging fills enough of its convex hull.
+/// The share of their hull that two charts fill beside each other.
+/// \param fit  brings the second to the first
+inline double solidity_side_by_side(const Chart& a, const Chart& b, const Chain_fit& fit)
+{
+  std::vector<Vec2> points;
+  points.reserve(a.uv.size() + b.uv.size());
+  for (const Point_2& p : a.uv)
+    points.push_back(to_vector(p));
+  for (const Point_2& p : b.uv)
+    points.push_back(fit(to_vector(p)));
+  return (area_uv(a) + area_uv(b)) / polygon_area(convex_hull(std::move(points)));
+}
+
+/// The least share of its convex hull that a chart fills which comes from merging.
 /// \param is_large  whether it has more than its share of the surface's area
+inline double least_solidity(bool is_large, const Merge_options& options)
+{
+  return is_large ? std::max(options.min_solidity, options.solidity_of_large_charts) : options.min_solidity;
+}
+
+/// Whether a chart that comes from merging fills enough of its convex hull.
 inline bool fills_hull(const Chart& layout, bool is_large, const Merge_options& options)
 {
-  const double filled = solidity(layout);
-  return filled >= options.min_solidity && !(is_large && filled < options.solidity_of_large_charts);
+  return solidity(layout) >= least_solidity(is_large, options);
 }
 
 } // namespace Atlas::internal

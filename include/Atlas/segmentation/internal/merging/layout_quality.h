@@ -74,9 +74,17 @@ inline double hull_area(const std::vector<Point_2>& points)
   return polygon_area(convex_hull(std::move(vectors)));
 }
 
-/// The root mean square distance of two chains of points after the best rotation and translation of the
-/// second. Points count by the lengths of the edges next to them.
-inline double chain_misfit(std::span<const Point_2> p, std::span<const Point_2> q)
+/// The best rotation and translation of a chain of points onto another, and how far they are apart then.
+struct Chain_fit
+{
+  Vec2 turn{1, 0}, from, to; ///< q -> to + turn (q - from)
+  double misfit = 0;         ///< root mean square distance
+
+  Vec2 operator()(Vec2 q) const { return to + rotated(turn, q - from); }
+};
+
+/// Fits `q` to `p`. Points count by the lengths of the edges next to them.
+inline Chain_fit chain_fit(std::span<const Point_2> p, std::span<const Point_2> q)
 {
   const std::size_t n = p.size();
   std::vector<double> weight(n, 0);
@@ -89,7 +97,7 @@ inline double chain_misfit(std::span<const Point_2> p, std::span<const Point_2> 
     total += 2 * l;
   }
   if (!(total > 0))
-    return 0;
+    return {};
   Vector_2 mean_p(0, 0), mean_q(0, 0);
   for (std::size_t i = 0; i < n; ++i) {
     mean_p = mean_p + weight[i] / total * (p[i] - CGAL::ORIGIN);
@@ -102,7 +110,14 @@ inline double chain_misfit(std::span<const Point_2> p, std::span<const Point_2> 
     dot += weight[i] * (a * b);
     cross += weight[i] * (b.x() * a.y() - b.y() * a.x());
   }
-  return std::sqrt(std::max(0.0, squares - 2 * std::hypot(dot, cross)) / total);
+  const double length = std::hypot(dot, cross);
+  Chain_fit fit;
+  if (length > 0)
+    fit.turn = (1 / length) * Vec2{dot, cross};
+  fit.from = {mean_q.x(), mean_q.y()};
+  fit.to = {mean_p.x(), mean_p.y()};
+  fit.misfit = std::sqrt(std::max(0.0, squares - 2 * length) / total);
+  return fit;
 }
 
 } // namespace Atlas::internal
