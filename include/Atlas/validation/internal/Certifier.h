@@ -202,7 +202,7 @@ private:
     std::vector<Coverage_sweep> sweeps = borders(charts);
     std::vector<std::uint8_t> is_sweep_cheap(certificate_.pages), is_free(certificate_.pages);
     execution_.for_each(sweeps.size(), [&](std::size_t p) {
-      is_sweep_cheap[p] = sweeps[p].size() < triangles[p];
+      is_sweep_cheap[p] = 2 * sweeps[p].size() < 3 * triangles[p]; // a large polygon has as many of both
       is_free[p] = is_sweep_cheap[p] && sweeps[p].is_covered_at_most_once();
     });
     for (Index p = 0; p < certificate_.pages; ++p) {
