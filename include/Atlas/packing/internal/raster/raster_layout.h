@@ -85,7 +85,10 @@ inline Shape_resolution search_resolution(const Packing_problem& problem, double
 }
 
 /// Makes the shapes of all outlines; turns of the fallback become relative to their frames.
-inline void make_shapes(Packing_problem& problem, double side, double scale, const Execution& execution)
+///
+/// \param may_explore  whether shapes may look for places by their overlaps
+inline void make_shapes(Packing_problem& problem, double side, double scale, bool may_explore,
+                        const Execution& execution)
 {
   const Shape_resolution resolution = search_resolution(problem, side, scale);
   problem.shapes.resize(problem.outlines.size());
@@ -100,7 +103,7 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, con
     Vec2& turn = problem.fallback.turns[i];
     turn = rotated({problem.shapes[i].frame.x, -problem.shapes[i].frame.y}, turn);
   });
-  if (problem.shapes.size() > max_shapes_of_exploration)
+  if (!may_explore || problem.shapes.size() > max_shapes_of_exploration)
     return;
   problem.coarse.resize(problem.shapes.size());
   execution.for_each(problem.shapes.size(), [&](std::size_t i) {
@@ -112,7 +115,7 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, con
 /// What searches need to know: shapes of the outlines that are not empty, and of the obstacles, as fine as
 /// suits the page.
 inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles& obstacles,
-                                       const Page_task& page, const Layout& fallback,
+                                       const Page_task& page, const Layout& fallback, bool may_explore,
                                        const Execution& execution)
 {
   Packing_problem problem;
@@ -135,7 +138,7 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles
 
   const double side = std::sqrt(problem.width * problem.height);
   const double scale = likely_scale(outlines, side, fallback.scale);
-  make_shapes(problem, side, scale, execution);
+  make_shapes(problem, side, scale, may_explore, execution);
   if (execution.is_cancelled())
     return problem;
   problem.masks.emplace(problem.movables(), 8, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
@@ -158,7 +161,7 @@ public:
   /// The best layout at a scale of at most `most_scale`; its scale is 0 if there is none.
   Shape_layout run(double most_scale, const Execution& execution)
   {
-    execution.for_each(searches_.size(), [&](std::size_t k) { searches_[k].start(execution); });
+    start(execution);
     const unsigned rounds = budget_.rounds_for(shapes_);
     for (unsigned r = 0; r < rounds && best().best().scale < most_scale; ++r) {
       const double before = best().best().scale;
@@ -181,6 +184,22 @@ private:
     return a.best().scale < b.best().scale;
   }
   Packing_search& best() { return *std::max_element(searches_.begin(), searches_.end(), is_behind); }
+
+  /// Few shapes have the same order by any size, and so the same first layout.
+  void start(const Execution& execution)
+  {
+    std::vector<std::size_t> model(searches_.size());
+    for (std::size_t k = 0; k < model.size(); ++k)
+      while (model[k] < k && !searches_[k].starts_like(searches_[model[k]]))
+        ++model[k];
+    execution.for_each(searches_.size(), [&](std::size_t k) {
+      if (model[k] == k)
+        searches_[k].start(execution);
+    });
+    for (std::size_t k = 0; k < model.size(); ++k)
+      if (model[k] != k)
+        searches_[k].start_like(searches_[model[k]]);
+  }
 
   void run_round(unsigned r, const Execution& execution)
   {
@@ -238,7 +257,8 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
   if (!result || !(outlines.area > 0) || result->scale >= page.most_scale ||
       outlines.size() > budget.max_charts || execution.is_cancelled())
     return result;
-  const Packing_problem problem = packing_problem(outlines, obstacles, page, *result, execution);
+  const Packing_problem problem =
+      packing_problem(outlines, obstacles, page, *result, budget.rounds > 0, execution);
   if (execution.is_cancelled())
     return result;
   const Shape_layout found = Joint_search(problem, budget).run(page.most_scale, execution);

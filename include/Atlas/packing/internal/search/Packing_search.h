@@ -65,6 +65,18 @@ public:
     current_ = best_;
   }
 
+  /// Whether the first layout will be that of another search.
+  bool starts_like(const Packing_search& other) const { return order() == other.order(); }
+
+  /// Takes the first layout of such a search.
+  void start_like(const Packing_search& other)
+  {
+    best_ = other.best_;
+    current_ = other.current_;
+    relaxation_ = other.relaxation_;
+    work_ = other.work_;
+  }
+
   /// Goes on from another layout.
   void restart(const Shape_layout& layout)
   {

@@ -45,6 +45,7 @@ struct Packing_shape
   Vec2 frame{1, 0}; ///< the turn that brought the outline here
   double area = 0, mass = 0, inertia = 0, radius = 0;
   double width = 0, height = 0; ///< of the bounding rectangle
+  Vec2 middle;                  ///< of that, from the centre of gravity
   double perimeter = 0;
   Chart_rotation rotation = Chart_rotation::any;
 
@@ -107,6 +108,7 @@ inline std::vector<Vec2> set_frame(Packing_shape& shape, const Outline& outline)
   }
   shape.width = high.x - low.x;
   shape.height = high.y - low.y;
+  shape.middle = 0.5 * (low + high);
   shape.radius = outline.radius;
   std::vector<Vec2> points;
   for (const Vec2& p : outline.points)
