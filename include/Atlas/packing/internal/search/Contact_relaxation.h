@@ -6,6 +6,7 @@
 #include <Atlas/packing/internal/search/contacts.h>
 #include <Atlas/packing/internal/search/near_circles.h>
 #include <Atlas/packing/internal/shapes/Packing_shape.h>
+#include <Atlas/packing/internal/shapes/Placed_rectangle.h>
 
 #include <algorithm>
 #include <array>
@@ -281,18 +282,8 @@ private:
     }
   }
 
-  /// A bounding rectangle in its place.
-  struct Rectangle
-  {
-    Vec2 middle, along, half; ///< along its width; half of width and height
-
-    /// How far it reaches from its middle in a direction.
-    double extent(Vec2 d) const
-    {
-      return std::abs(dot(d, along)) * half.x + std::abs(cross(along, d)) * half.y;
-    }
-  };
-  Rectangle rectangle(Index i) const
+  /// The bounding rectangle in its place.
+  Placed_rectangle rectangle(Index i) const
   {
     const Packing_shape& shape = (*shapes_)[i];
     const double s = scale(i);
@@ -300,17 +291,6 @@ private:
     return {layout_.positions[i] + rotated(s * turn, shape.middle),
             turn,
             {0.5 * s * shape.width, 0.5 * s * shape.height}};
-  }
-
-  /// How far the bounding rectangles of two shapes are apart at least; not above zero: they may overlap.
-  double gap_of_rectangles(Index i, Index j) const
-  {
-    const Rectangle a = rectangle(i), b = rectangle(j);
-    const Vec2 between = b.middle - a.middle;
-    double gap = -HUGE_VAL;
-    for (const Vec2 d : {a.along, Vec2{-a.along.y, a.along.x}, b.along, Vec2{-b.along.y, b.along.x}})
-      gap = std::max(gap, std::abs(dot(d, between)) - a.extent(d) - b.extent(d));
-    return gap;
   }
 
   /// Resolves the deepest contacts of a pair together. Gives the depth of the deepest.
@@ -329,7 +309,8 @@ private:
     const double travel = travel_[i] + travel_[j];
     if (travel >= pair.known_until) {
       work_ += 20;
-      if (const double room = gap_of_rectangles(i, j) - wanted; room > 0) { // long shapes side by side
+      if (const double room = least_distance(rectangle(i), rectangle(j)) - wanted;
+          room > 0) { // long shapes side by side
         pair.clear_until = travel + room;
         return 0;
       }

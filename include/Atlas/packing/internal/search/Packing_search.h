@@ -65,14 +65,11 @@ public:
     current_ = best_;
   }
 
-  /// Whether the first layout will be that of another search.
+  /// Whether the first layout will be that of another search; then it can be taken from there.
   bool starts_like(const Packing_search& other) const { return order() == other.order(); }
-
-  /// Takes the first layout of such a search.
   void start_like(const Packing_search& other)
   {
-    best_ = other.best_;
-    current_ = other.current_;
+    best_ = current_ = other.best_;
     relaxation_ = other.relaxation_;
     work_ = other.work_;
   }
@@ -89,9 +86,7 @@ public:
   /// Ruins and recreates until that much work has been done.
   void run(std::uint64_t work_limit, const Execution& execution)
   {
-    if (best_.scale <= 0)
-      return;
-    while (work() < work_limit && !execution.is_cancelled())
+    while (best_.scale > 0 && work() < work_limit && !execution.is_cancelled())
       improve();
   }
 
@@ -143,7 +138,6 @@ private:
   static constexpr int patience = 15; ///< sweeps without gain after which a search for places is given up
   static constexpr double most_overlap = 0.3; ///< more, relative to page and step, cannot be pushed apart
   static constexpr double largest_step = 0.04, least_step = 0.008; ///< of the scale
-
   static double slack() { return 0.02; }
   /// What the first layout may cost before it is taken as it is.
   std::uint64_t start_work() const { return 50'000'000 + 20'000 * problem_->shapes.size(); }

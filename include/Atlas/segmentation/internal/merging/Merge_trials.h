@@ -59,7 +59,7 @@ public:
         is_on_trial_(arcs, 0), local_(surface.triangles.size()), place_(surface.triangles.size())
   {}
 
-  /// Triangles flattened for trial, those of accepted trials among them.
+  /// Triangles of all unions that were tried, those of accepted ones among them.
   std::size_t work() const { return work_; }
 
   /// Flattens charts before any has been merged. Those too large for any trial have no layout.
