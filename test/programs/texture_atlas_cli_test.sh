@@ -437,6 +437,15 @@ files
 expect 0 0 cube.obj -o out/a.obj --time-limit 600
 files "${all[@]/#/a}"
 expect 2 1 cube.obj -o out/a.obj --time-limit -1
+
+# Limits of memory: refused by the estimate, and by the system.
+expect 0 0 cube.obj -o out/a.obj --memory-limit 0.5
+expect 3 1 cube.obj -o out/b.obj --memory-limit 0.05
+grep -q '12 triangles take about 0.1 GB' stderr || fail "no estimate: $(cat stderr)"
+expect 3 1 cube.obj -o out/b.obj --memory-limit 0.101 --texture-size 8192 --packer rectangles --bake normals
+grep -q 'not enough memory' stderr || fail "the limit of memory: $(cat stderr)"
+[ ! -e out/b.obj ] || fail "something is written beyond the limit of memory"
+rm -f out/*
 files
 
 # Faces that disagree which side is outside are turned on request; else they are told of.

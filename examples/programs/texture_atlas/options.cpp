@@ -174,6 +174,10 @@ void add_run_options(CLI::App& app, Options& options)
   app.add_option("--time-limit", options.time_limit,
                  "Give up after so many seconds, and write nothing. Default: no limit")
       ->check(CLI::Range(0.0, 1e9));
+  app.add_option("--memory-limit", options.memory_limit,
+                 "Refuse, before the work, what will take more than so many gigabytes, about; and never take "
+                 "more, but end then. Default: no limit")
+      ->check(CLI::Range(0.0, 1e6));
 }
 
 void add_picture_options(CLI::App& app, Options& options)
@@ -268,8 +272,7 @@ void declare_options(CLI::App& app, Options& options)
                   "packs them into the unit square and proves the result free of flips and overlaps. "
                   "Vertices, faces and\n"
                   "their order stay as they are. Several meshes share one atlas and its density.");
-  app.add_option("MESH", options.meshes, "The mesh, or several: .obj, .off, .ply, .stl, .gltf or .glb")
-      ->required();
+  app.add_option("MESH", options.meshes, "The mesh, or several: .obj, .off, .ply, .stl, .gltf or .glb");
   app.add_option(
       "-o,--output", options.output,
       "The textured model to write, an .obj file. Beside it, with the same stem, appear the material (.mtl), "
@@ -299,6 +302,8 @@ void declare_options(CLI::App& app, Options& options)
 
 void complete_all(const CLI::App& app, Options& options)
 {
+  if (options.meshes.empty())
+    throw CLI::RequiredError("MESH");
   if (options.output.empty())
     options.output = options.meshes.size() > 1
                          ? "atlas.obj"

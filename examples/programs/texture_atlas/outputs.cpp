@@ -301,6 +301,8 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
   json.update(to_json(report));
   if (!seams.empty())
     json["seams_of_textures"] = seams;
+  if (!options.tells_times)
+    json.erase("seconds");
   if (!is_device || !options.report.empty())
     outputs.add(options.report.empty() ? beside(output, ".json") : fs::path(options.report),
                 Atlas::json_text(json));

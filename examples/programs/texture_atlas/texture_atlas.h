@@ -13,6 +13,7 @@
 
 #include "packing_options.h"
 #include "policies.h"
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -41,11 +42,15 @@ struct Options : Packing_options
   std::vector<Bake> bakes;
   bool keeps_uv = false, separates_materials = false, is_straightened = false, turns_faces = false,
        is_seamless = false, has_pictures = false, is_quiet = false, shows_progress = false;
-  double time_limit = 0; ///< seconds; 0: none
-  int uv_set = 0;        ///< the number of the new coordinates in a glTF document
-  double weld = 0;       ///< vertices nearer than this share of the model's size are one; 0: only equal ones
-  std::string detail;    ///< the mesh that bakes are made from; empty: the meshes themselves
-  double cage = 0.02;    ///< how far it is looked for along normals, as a share of its diagonal
+  double time_limit = 0;   ///< seconds; 0: none
+  double memory_limit = 0; ///< gigabytes; 0: none
+  int uv_set = 0;          ///< the number of the new coordinates in a glTF document
+  double weld = 0;    ///< vertices nearer than this share of the model's size are one; 0: only equal ones
+  std::string detail; ///< the mesh that bakes are made from; empty: the meshes themselves
+  double cage = 0.02; ///< how far it is looked for along normals, as a share of its diagonal
+  bool tells_times = true; ///< in the report
+  /// Called once all files are written, with their names.
+  std::function<void(const Atlas::Atlas_report&, const std::vector<std::string>&)> when_written;
 
   bool has(Bake bake) const;
   /// The meshes, for messages: their files as they were given.
@@ -57,6 +62,29 @@ struct Options : Packing_options
   /// Whether a glTF document comes in and goes out.
   bool keeps_document() const;
 };
+
+enum Exit_code {
+  success = 0,
+  not_valid = 1,
+  wrong_usage = 2,
+  io_failure = 3,
+  internal_failure = 4,
+  not_full = 5,
+  out_of_time = 124, // as of the command `timeout`
+  interrupted = 130
+};
+
+/// Set by a signal: what is being done is to end soon.
+extern std::atomic<bool> is_interrupted;
+
+/// Prints one line on stderr: a message may come from a library and have several, but scripts rely on one.
+void print_error(std::string message);
+
+/// Does some work, and tells of what it throws. Returns the exit code.
+int exit_code_of(const Options& options, const std::function<int()>& work);
+
+/// Makes an atlas of the meshes and writes it. Returns the exit code. \throw Atlas::IO_error
+int run(Options& options);
 
 /// Declares the options of the command line.
 void declare_options(CLI::App& app, Options& options);
@@ -85,6 +113,12 @@ bool is_hiding(const std::string& text);
 /// Makes seams cheap where they are not seen. \throw Atlas::IO_error if a file of visibility cannot be read
 /// or does not fit, or there are no colours to read it from
 void hide_seams(const Options& options, const Atlas::Polygon_soup& model, Atlas::Surface& surface);
+
+/// Has the system refuse what exceeds the limit of memory, if there is one.
+void limit_memory(const Options& options);
+
+/// \throw Atlas::IO_error if the work will take more memory, about, than the limit allows
+void check_memory(const Options& options, const Atlas::Surface& surface);
 
 /// Makes the atlas. `uv` gets the coordinates per corner of the model.
 Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup& model,

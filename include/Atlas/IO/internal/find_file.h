@@ -2,6 +2,8 @@
 #ifndef ATLAS_IO_INTERNAL_FIND_FILE_H
 #define ATLAS_IO_INTERNAL_FIND_FILE_H
 
+#include <Atlas/image/internal/Reading_listener.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -28,6 +30,7 @@ inline std::optional<std::filesystem::path> file_in_any_case(const std::filesyst
   std::error_code ignored;
   if (fs::is_regular_file(folder / path, ignored))
     return folder / path;
+  tell_of_reading(folder / path, std::nullopt);
   fs::path here = path.is_absolute() ? path.root_path() : folder;
   for (const fs::path& part : path.relative_path()) {
     if (fs::exists(here / part, ignored)) {

@@ -3,6 +3,7 @@
 #define ATLAS_IMAGE_INTERNAL_TEXT_SCANNER_H
 
 #include <Atlas/core/errors.h>
+#include <Atlas/image/internal/Reading_listener.h>
 #include <Atlas/image/internal/text_bytes.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,6 +26,7 @@ namespace Atlas::internal {
 inline std::string read_whole_file(const std::filesystem::path& path)
 {
   const auto fail = [&](int error) -> IO_error {
+    tell_of_reading(path, std::nullopt);
     return IO_error(path.string() + ": cannot read: " + std::generic_category().message(error));
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.string().c_str(), "rb"),
@@ -39,6 +42,7 @@ inline std::string read_whole_file(const std::filesystem::path& path)
     bytes.append(block, n);
   if (std::ferror(file.get()))
     throw fail(errno);
+  tell_of_reading(path, bytes);
   if (bytes.empty())
     throw IO_error(path.string() + ": the file is empty");
   return bytes;

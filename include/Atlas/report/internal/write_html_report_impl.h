@@ -220,7 +220,8 @@ private:
         {"charts apart, texels", report_.charts.size() > 1 ? shown(c.chart_distance) : "one chart"},
         {"from the border, texels", shown(c.page_border_distance)}};
     for (const Stage stage : all_stages)
-      rows.emplace_back(name(stage), shown(report_.seconds[static_cast<std::size_t>(stage)], " s"));
+      if (report_.total_seconds() > 0) // else no time has been taken
+        rows.emplace_back(name(stage), shown(report_.seconds[static_cast<std::size_t>(stage)], " s"));
     html_ << "<section><h2>Figures</h2>";
     write_table(rows);
     html_ << "</section>";
