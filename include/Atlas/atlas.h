@@ -31,6 +31,7 @@
 #elif defined(__GNUC__)
 #define ATLAS_API __attribute__((visibility("default")))
 #else
+/** Marks what the shared library shows. */
 #define ATLAS_API
 #endif
 
@@ -38,6 +39,7 @@
 extern "C" {
 #endif
 
+/** No number: of a face without a chart, and the like. */
 #define ATLAS_NONE 0xFFFFFFFFu
 
 /** How a call ended. Positive: there is no fault of the caller, but not what was hoped for. */
@@ -114,29 +116,29 @@ typedef int (*atlas_progress)(void* user, int stage, double fraction);
 /** A mesh of any polygons. Pointers may be null but for `positions` and `indices`. */
 typedef struct atlas_mesh
 {
-  size_t size;            /**< of this struct */
-  const void* positions;  /**< three numbers per vertex */
-  int position_type;      /**< `ATLAS_FLOAT` or `ATLAS_DOUBLE` */
-  size_t position_stride; /**< bytes from one vertex to the next; 0: there is nothing in between */
-  size_t number_of_vertices;
+  size_t size;                    /**< of this struct */
+  const void* positions;          /**< three numbers per vertex */
+  int position_type;              /**< `ATLAS_FLOAT` or `ATLAS_DOUBLE` */
+  size_t position_stride;         /**< bytes from one vertex to the next; 0: there is nothing in between */
+  size_t number_of_vertices;      /**< how many there are */
   const unsigned int* indices;    /**< the vertices of all corners, face by face */
   const unsigned int* face_sizes; /**< corners per face; null: triangles */
-  size_t number_of_faces;
-  const float* vertex_uvs;            /**< coordinates that there are: two numbers per vertex, ... */
-  const float* corner_uvs;            /**< ... or two per corner; NaN where there are none */
-  const unsigned int* face_pages;     /**< pages of these coordinates; null: all on page 0 */
-  const unsigned int* face_materials; /**< any numbers, with one meaning in all of the scene */
-  const unsigned int* seams;          /**< edges that must be seams, two vertices each */
-  size_t number_of_seams;
+  size_t number_of_faces;         /**< how many there are */
+  const float* vertex_uvs;        /**< coordinates that there are: two numbers per vertex, ... */
+  const float* corner_uvs;        /**< ... or two per corner; NaN where there are none */
+  const unsigned int* face_pages; /**< pages of these coordinates; null: all on page 0 */
+  const unsigned int* face_materials;  /**< any numbers, with one meaning in all of the scene */
+  const unsigned int* seams;           /**< edges that must be seams, two vertices each */
+  size_t number_of_seams;              /**< how many there are */
   const unsigned int* forbidden_seams; /**< edges that must not be seams, as far as topology allows */
-  size_t number_of_forbidden_seams;
+  size_t number_of_forbidden_seams;    /**< how many there are */
 } atlas_mesh;
 
 /** What the charts of a material may do. */
 typedef struct atlas_material_rule
 {
-  unsigned int material;
-  double weight;  /**< so many times the density of the others; 1 is usual */
+  unsigned int material; /**< which one */
+  double weight;         /**< so many times the density of the others; 1 is usual */
   int is_grouped; /**< charts keep the places beside each other that they have in the coordinates that there
                      are */
   int is_locked;  /**< charts stay where they are */
@@ -159,7 +161,7 @@ typedef struct atlas_options
   int keep_uvs;             /**< keep the shapes of the charts that the coordinates of the meshes have */
   int orient;         /**< turn faces around first, so that neighbours agree; `indices` are of turned faces */
   unsigned int width; /**< of a page in texels, from 1 to 65536 */
-  unsigned int height;
+  unsigned int height;     /**< of a page in texels */
   double gutter;           /**< least distance between two charts in texels; half of it to the border */
   unsigned int mip_levels; /**< keep charts apart down to this level of a mip-map */
   unsigned int block;      /**< no two charts share a block of so many texels squared */
@@ -171,12 +173,12 @@ typedef struct atlas_options
   int free_aspect;         /**< the page may have another ratio of its sides */
   int stack;               /**< `ATLAS_STACK_...` */
   int effort;              /**< `ATLAS_EFFORT_...` */
-  const atlas_material_rule* rules;
-  size_t number_of_rules;
-  unsigned int threads; /**< 0: all cores. The result does not depend on it */
-  double time_limit;    /**< seconds; 0: none */
-  atlas_progress progress;
-  void* user;          /**< handed to `progress` */
+  const atlas_material_rule* rules; /**< rules for materials, or NULL */
+  size_t number_of_rules;           /**< how many there are */
+  unsigned int threads;             /**< 0: all cores. The result does not depend on it */
+  double time_limit;                /**< seconds; 0: none */
+  atlas_progress progress;          /**< called with how far the work is, or NULL */
+  void* user;                       /**< handed to `progress` */
   double min_coverage; /**< charts are cut until they cover this share of the pages; 0: no such wish */
   double min_texels_per_chart; /**< smaller charts are enlarged; 0: no such wish */
   double seam_exchange_rate;   /**< charts are cut where the density rises by so much for the seam; negative:
@@ -187,34 +189,36 @@ typedef struct atlas_options
 /** The figures of the atlas. */
 typedef struct atlas_summary
 {
-  size_t size; /**< of this struct */
-  size_t number_of_charts;
-  size_t number_of_pages;
-  unsigned int width, height; /**< of a page in texels */
-  double texels_per_unit;
-  double efficiency; /**< share of the pages that is covered, in [0, 1] */
+  size_t size;             /**< of this struct */
+  size_t number_of_charts; /**< of all meshes */
+  size_t number_of_pages;  /**< that have charts on them */
+  /** Width of a page in texels. */
+  unsigned int width, height; /**< height of a page in texels */
+  double texels_per_unit;     /**< unit of the model */
+  double efficiency;          /**< share of the pages that is covered, in [0, 1] */
 } atlas_summary;
 
 /** What became of a mesh. Faces and corners are those of the mesh, in the same order. */
 typedef struct atlas_result
 {
   size_t size; /**< of this struct */
-  size_t number_of_faces, number_of_corners;
-  const float* corner_uvs; /**< two per corner */
+  /** How many faces there are. */
+  size_t number_of_faces, number_of_corners; /**< how many corners all faces have together */
+  const float* corner_uvs;                   /**< two per corner */
   const unsigned int*
       face_charts; /**< charts count from 0 over the whole scene; `ATLAS_NONE`: the face was rejected */
-  const unsigned int* face_pages;
+  const unsigned int* face_pages; /**< per face: its page */
 
   /* The same with one pair of coordinates per vertex; vertices at seams occur several times. */
-  size_t number_of_vertices;
+  size_t number_of_vertices;    /**< how many there are */
   const unsigned int* vmapping; /**< per new vertex: the vertex of the mesh that it was */
   const float* uvs;             /**< two per new vertex */
   const unsigned int* indices;  /**< per corner: its new vertex */
 
   /* The triangles that the polygons were taken for, without those of rejected faces. */
-  size_t number_of_triangles;
-  const unsigned int* triangles; /**< three new vertices per triangle */
-  const unsigned int* face_of_triangle;
+  size_t number_of_triangles;           /**< how many there are */
+  const unsigned int* triangles;        /**< three new vertices per triangle */
+  const unsigned int* face_of_triangle; /**< per triangle: its face */
 } atlas_result;
 
 /** "major.minor.patch" of the library. */
@@ -241,14 +245,19 @@ ATLAS_API int atlas_init_options(atlas_options* options, size_t size);
 /** Empties a mesh, a summary or a result and sets its size. See `ATLAS_MESH_INIT()` and so on. */
 ATLAS_API int atlas_init(void* object, size_t size);
 
+/** Gives all options their defaults. */
 #define ATLAS_OPTIONS_INIT(options) atlas_init_options((options), sizeof(atlas_options))
+/** An empty mesh. */
 #define ATLAS_MESH_INIT(mesh) atlas_init((mesh), sizeof(atlas_mesh))
+/** Prepares a summary to be filled. */
 #define ATLAS_SUMMARY_INIT(summary) atlas_init((summary), sizeof(atlas_summary))
+/** Prepares a result to be filled. */
 #define ATLAS_RESULT_INIT(result) atlas_init((result), sizeof(atlas_result))
 
 /** Adds a mesh. Meshes count from 0. */
 ATLAS_API int atlas_add_mesh(atlas_scene* scene, const atlas_mesh* mesh);
 
+/** How many meshes the scene has. */
 ATLAS_API size_t atlas_number_of_meshes(const atlas_scene* scene);
 
 /** Makes the atlas: charts, coordinates, pages, proof. \param options null: the defaults */

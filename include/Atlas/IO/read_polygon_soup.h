@@ -48,9 +48,11 @@ struct Source_texture
   std::array<double, 3> factor{1, 1, 1}; ///< multiplies the light of the picture; in [0, 1], as sRGB
   double opacity = 1;                    ///< multiplies its alpha
   bool multiplies_colors = false;        ///< whether the colours of the vertices do so too, as in glTF
-  Texture_wrap wrap_u = Texture_wrap::repeat, wrap_v = Texture_wrap::repeat;
+  /// Along u.
+  Texture_wrap wrap_u = Texture_wrap::repeat, wrap_v = Texture_wrap::repeat; ///< along v
   std::array<double, 6> transform{1, 0, 0, 0, 1, 0}; ///< (u, v) -> (t0 u + t1 v + t2, t3 u + t4 v + t5)
 
+  /// Where the picture is looked at for these coordinates.
   Point_2 transformed(const Point_2& p) const
   {
     const auto& t = transform;
@@ -61,8 +63,8 @@ struct Source_texture
 /// \brief The textures of a model, by its own coordinates.
 struct Source_textures
 {
-  std::vector<Source_texture> textures;
-  std::vector<Index> face_texture;   ///< per face of the model: its texture, or `no_index`
+  std::vector<Source_texture> textures; ///< in any order; `face_texture` refers to them
+  std::vector<Index> face_texture;      ///< per face of the model: its texture, or `no_index`
   std::vector<std::string> warnings; ///< what is named but cannot be found or read, and what is shown instead
 };
 

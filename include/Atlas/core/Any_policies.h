@@ -95,6 +95,7 @@ struct Packer_interface
 class Any_segmentation : public internal::Any_policy<internal::Segmentation_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <ChartSegmentation Policy>
   requires internal::is_other<Policy, Any_segmentation> Any_segmentation(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))
@@ -131,6 +132,7 @@ private:
 class Any_parameterizer : public internal::Any_policy<internal::Parameterizer_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <ChartParameterizer Policy>
   requires internal::is_other<Policy, Any_parameterizer> Any_parameterizer(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))
@@ -165,6 +167,7 @@ private:
 class Any_optimizer : public internal::Any_policy<internal::Optimizer_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <UVOptimizer Policy>
   requires internal::is_other<Policy, Any_optimizer> Any_optimizer(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))
@@ -192,6 +195,7 @@ private:
 class Any_validator : public internal::Any_policy<internal::Validator_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <ChartValidator Policy>
   requires internal::is_other<Policy, Any_validator> Any_validator(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))
@@ -218,6 +222,7 @@ private:
 class Any_splitter : public internal::Any_policy<internal::Splitter_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <ChartSplitter Policy>
   requires internal::is_other<Policy, Any_splitter> Any_splitter(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))
@@ -244,6 +249,7 @@ private:
 class Any_packer : public internal::Any_policy<internal::Packer_interface>
 {
 public:
+  /// Holds a policy of any type that models the concept.
   template <ChartPacker Policy>
   requires internal::is_other<Policy, Any_packer> Any_packer(Policy policy)
       : Any_policy(std::make_shared<Model<Policy>>(std::move(policy)), typeid(Policy))

@@ -24,7 +24,9 @@ struct Chart
   std::vector<Index> source; ///< per triangle: the triangle of the surface it came from
   std::vector<Point_2> uv;   ///< per vertex: coordinates in the plane; empty before flattening
 
+  /// How many vertices there are.
   std::size_t number_of_vertices() const { return points.size(); }
+  /// How many triangles there are.
   std::size_t number_of_triangles() const { return triangles.size(); }
 };
 
@@ -108,18 +110,18 @@ inline bool is_mean(Distortion_measure measure)
 /// number, of its inverse.
 struct Distortion_bound
 {
-  Distortion_measure measure = Distortion_measure::symmetric_dirichlet;
-  double max = std::numeric_limits<double>::infinity();
-  double max_stretch = std::numeric_limits<double>::infinity();
+  Distortion_measure measure = Distortion_measure::symmetric_dirichlet; ///< what is bounded
+  double max = std::numeric_limits<double>::infinity();                 ///< its bound, at least 1
+  double max_stretch = std::numeric_limits<double>::infinity();         ///< of a triangle, at least 1
   double stretch_share = 1; ///< of the chart's area, in (0, 1], has at most that stretch; 1: all triangles
 };
 
 /// \brief What the optimisation did to a chart.
 struct Distortion_record
 {
-  double before = 0; ///< mean energy over that of an isometry; infinite for a chart that had flips
-  double after = 0;
-  std::size_t iterations = 0;
+  double before = 0;          ///< mean energy over that of an isometry; infinite for a chart that had flips
+  double after = 0;           ///< the same when it had ended
+  std::size_t iterations = 0; ///< how many Newton steps it took
   bool was_border_guarded = false; ///< whether the border had to be kept from touching itself
 };
 
@@ -147,7 +149,7 @@ inline const char* message(Flattening_start start)
 /// \brief What was done to flatten a chart.
 struct Flattening_record
 {
-  Flattening_start start = Flattening_start::first_choice;
+  Flattening_start start = Flattening_start::first_choice; ///< where the coordinates came from
   std::size_t flips = 0;        ///< triangles that the first choice turned over or made flat
   bool was_overlapping = false; ///< whether the first choice made the border cross or touch itself
   bool is_optimized = false;    ///< whether the optimiser had a part in the result

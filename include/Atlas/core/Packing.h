@@ -46,12 +46,16 @@ enum class Chart_stacking {
 /// next to nothing.
 struct Placement
 {
-  double a = 1, b = 0; ///< the rotation and scale, as the complex number a + ib
-  double x = 0, y = 0; ///< the translation, in texels
-  Index page = 0;
-  bool is_mirrored = false;            ///< only charts stacked on one that they are a mirror image of
-  double stretch_x = 1, stretch_y = 1; ///< only of charts that snap to texels
+  /// Rotation and scale are the complex number a + ib: its real part.
+  double a = 1, b = 0; ///< its imaginary part
+  /// The translation to the right, in texels.
+  double x = 0, y = 0;      ///< the translation upwards, in texels
+  Index page = 0;           ///< counting from 0
+  bool is_mirrored = false; ///< only charts stacked on one that they are a mirror image of
+  /// Along x, only of charts that snap to texels.
+  double stretch_x = 1, stretch_y = 1; ///< the same along y
 
+  /// Where a point of the chart goes.
   Point_2 operator()(const Point_2& p) const
   {
     const double px = p.x(), py = is_mirrored ? -p.y() : p.y();
@@ -76,7 +80,7 @@ struct Page_options
   double density = 0; ///< texels per unit of the charts, on as many pages as that takes; 0: the largest that
                       ///< fits `pages`
 
-  Chart_rotation rotation = Chart_rotation::aligned;
+  Chart_rotation rotation = Chart_rotation::aligned; ///< how charts may turn
   /// What is up in space, of any length. Each chart is turned so that it is up on the page too, where the
   /// chart has such a direction: not if it faces up or down, or goes around. Zero: no such wish.
   std::array<double, 3> up = {0, 0, 0};
@@ -85,7 +89,7 @@ struct Page_options
   /// `max_snap_stretch`; else it is moved until the longest one is. Points move by half a texel at most along
   /// each axis, and charts are packed that much farther apart.
   bool snaps = false;
-  Chart_stacking stacking = Chart_stacking::none;
+  Chart_stacking stacking = Chart_stacking::none; ///< which charts may share a place
   std::vector<double> weights = {}; ///< per chart: its density is that of the packing times this
   std::vector<Index> groups = {}; ///< per chart: charts of a group keep their mutual places and move as one;
                                   ///< `no_index`: alone
@@ -139,9 +143,9 @@ void check(const Page_options& page, std::size_t number_of_charts);
 struct Packing
 {
   std::vector<Placement> placements; ///< per chart
-  Index number_of_pages = 0;
-  double density = 0; ///< texels per unit of the charts' coordinates
-  double gutter = 0;  ///< what was kept: less than asked for only where a page has no room for so many charts
+  Index number_of_pages = 0;         ///< how many have charts on them
+  double density = 0;                ///< texels per unit of the charts' coordinates
+  double gutter = 0; ///< what was kept: less than asked for only where a page has no room for so many charts
   std::vector<Index> layers = {}; ///< per chart: how many charts that it is a copy of lie below it, at the
                                   ///< same place; empty: none are stacked
 };

@@ -48,8 +48,8 @@ inline const char* message(Rejection reason)
 /// `is_diagonal()`.
 struct Surface
 {
-  std::vector<Point_3> points;
-  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Point_3> points;                 ///< positions of the vertices, unit of the model
+  std::vector<std::array<Index, 3>> triangles; ///< their vertices, counterclockwise seen from outside
   std::vector<Index> opposite; ///< per halfedge: the halfedge on the other side, or `no_index`
   std::vector<Index> face;     ///< per triangle: the input face
   std::vector<Index> corner;   ///< per triangle corner: the input corner (faces in order, corners in order)
@@ -63,14 +63,17 @@ struct Surface
   std::vector<double> density_weight; ///< per triangle, positive: a chart gets the density of all times the
                                       ///< mean of its triangles' weights, by area; empty: 1 everywhere
 
+  /// A face that cannot have coordinates of its own.
   struct Rejected_face
   {
-    Index face;
-    Rejection reason;
+    Index face;       ///< of the input
+    Rejection reason; ///< why it cannot
   };
   std::vector<Rejected_face> rejected; ///< faces without a single triangle here, in order
 
+  /// How many triangles there are.
   std::size_t number_of_triangles() const { return triangles.size(); }
+  /// Where a halfedge starts.
   const Point_3& point(Index halfedge) const { return points[triangles[halfedge / 3][halfedge % 3]]; }
 
   /// Whether the halfedge is inside an input polygon; such an edge can never be a seam. Where a polygon
@@ -90,7 +93,7 @@ struct Segmentation
   std::vector<Index> chart;      ///< per triangle of the surface: its chart, in [0, number_of_charts)
   std::vector<std::uint8_t> cut; ///< per halfedge, the same on both sides: whether the edge is a cut. Edges
                                  ///< between different charts are seams with or without it.
-  Index number_of_charts = 0;
+  Index number_of_charts = 0;    ///< numbers of charts are below it
 
   /// Whether triangles are glued along the halfedge.
   bool is_glued(const Surface& surface, Index h) const

@@ -68,9 +68,10 @@ concept UVOptimizer = requires(const O& o, Chart& chart, const Execution& execut
 /// \brief Whether a chart is acceptable, and what is to blame if it is not.
 struct Chart_verdict
 {
-  Chart_status status = Chart_status::valid;
+  Chart_status status = Chart_status::valid; ///< `valid`, or what is wrong
   std::vector<Index> culprits; ///< triangles of the chart to blame, sorted; empty for a valid chart
 
+  /// Whether the chart is accepted.
   bool is_valid() const { return status == Chart_status::valid; }
 };
 

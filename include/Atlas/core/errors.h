@@ -19,6 +19,7 @@ public:
       : std::invalid_argument(argument + " " + fault), argument_(argument)
   {}
 
+  /// The name of the argument.
   const std::string& argument() const { return argument_; }
 
 private:
@@ -38,7 +39,9 @@ public:
       : std::logic_error("the " + role + " " + type + " " + fault), role_(role), type_(type)
   {}
 
+  /// Which policy it is: "segmentation" and so on.
   const std::string& role() const { return role_; }
+  /// The name of its type.
   const std::string& type() const { return type_; }
 
 private:

@@ -30,10 +30,11 @@ std::vector<Chart> extract_charts(const Surface& surface, const Segmentation& se
 /// What decides whether a chart is a disc.
 struct Chart_topology
 {
-  Index components = 0; ///< connected over edges
-  Index border_loops = 0;
-  long long euler = 0; ///< vertices - edges + triangles
+  Index components = 0;   ///< connected over edges
+  Index border_loops = 0; ///< how many loops its border has
+  long long euler = 0;    ///< vertices - edges + triangles
 
+  /// Whether it is homeomorphic to a disc.
   bool is_disc() const { return components == 1 && border_loops == 1 && euler == 1; }
 };
 

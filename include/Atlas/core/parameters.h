@@ -75,7 +75,7 @@ struct edge_seam_map_t
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
-  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>; ///< CGAL's pack
   using Pack::Pack;
 
   /// Side of the square page in texels; default `default_texture_size`.
@@ -282,34 +282,63 @@ private:
 namespace parameters {
 
 // clang-format off
+/// See `Named_parameters::texture_size()`.
 template <typename K> auto texture_size(const K& k) { return Named_parameters<K, internal::texture_size_t>(k); }
+/// See `Named_parameters::gutter()`.
 template <typename K> auto gutter(const K& k) { return Named_parameters<K, internal::gutter_t>(k); }
+/// See `Named_parameters::page_options()`.
 template <typename K> auto page_options(const K& k) { return Named_parameters<K, internal::page_options_t>(k); }
+/// See `Named_parameters::mode()`.
 template <typename K> auto mode(const K& k) { return Named_parameters<K, internal::mode_t>(k); }
+/// See `Named_parameters::merge_options()`.
 template <typename K> auto merge_options(const K& k) { return Named_parameters<K, internal::merge_options_t>(k); }
+/// See `Named_parameters::max_charts()`.
 template <typename K> auto max_charts(const K& k) { return Named_parameters<K, internal::max_charts_t>(k); }
+/// See `Named_parameters::min_chart_texels()`.
 template <typename K> auto min_chart_texels(const K& k) { return Named_parameters<K, internal::min_chart_texels_t>(k); }
+/// See `Named_parameters::min_coverage()`.
 template <typename K> auto min_coverage(const K& k) { return Named_parameters<K, internal::min_coverage_t>(k); }
+/// See `Named_parameters::seam_exchange_rate()`.
 template <typename K> auto seam_exchange_rate(const K& k) { return Named_parameters<K, internal::seam_exchange_rate_t>(k); }
+/// See `Named_parameters::min_texels_per_chart()`.
 template <typename K> auto min_texels_per_chart(const K& k) { return Named_parameters<K, internal::min_texels_per_chart_t>(k); }
+/// See `Named_parameters::hard_angle()`.
 template <typename K> auto hard_angle(const K& k) { return Named_parameters<K, internal::hard_angle_t>(k); }
+/// See `Named_parameters::straighten()`.
 template <typename K> auto straighten(const K& k) { return Named_parameters<K, internal::straighten_t>(k); }
+/// See `Named_parameters::symmetry()`.
 template <typename K> auto symmetry(const K& k) { return Named_parameters<K, internal::symmetry_t>(k); }
+/// See `Named_parameters::seam_cost_map()`.
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
+/// See `Named_parameters::hide_seams()`.
 template <typename K> auto hide_seams(const K& k) { return Named_parameters<K, internal::hide_seams_t>(k); }
+/// See `Named_parameters::forbidden_seam_map()`.
 template <typename K> auto forbidden_seam_map(const K& k) { return Named_parameters<K, internal::forbidden_seam_map_t>(k); }
+/// See `Named_parameters::face_weight_map()`.
 template <typename K> auto face_weight_map(const K& k) { return Named_parameters<K, internal::face_weight_map_t>(k); }
+/// See `Named_parameters::policies()`.
 template <typename K> auto policies(const K& k) { return Named_parameters<K, internal::policies_t>(k); }
+/// See `Named_parameters::segmentation()`.
 template <typename K> auto segmentation(const K& k) { return Named_parameters<K, internal::segmentation_t>(k); }
+/// See `Named_parameters::parameterizer()`.
 template <typename K> auto parameterizer(const K& k) { return Named_parameters<K, internal::parameterizer_t>(k); }
+/// See `Named_parameters::optimizer()`.
 template <typename K> auto optimizer(const K& k) { return Named_parameters<K, internal::optimizer_t>(k); }
+/// See `Named_parameters::validator()`.
 template <typename K> auto validator(const K& k) { return Named_parameters<K, internal::validator_t>(k); }
+/// See `Named_parameters::splitter()`.
 template <typename K> auto splitter(const K& k) { return Named_parameters<K, internal::splitter_t>(k); }
+/// See `Named_parameters::packer()`.
 template <typename K> auto packer(const K& k) { return Named_parameters<K, internal::packer_t>(k); }
+/// See `Named_parameters::number_of_threads()`.
 template <typename K> auto number_of_threads(const K& k) { return Named_parameters<K, internal::number_of_threads_t>(k); }
+/// See `Named_parameters::progress()`.
 template <typename K> auto progress(const K& k) { return Named_parameters<K, internal::progress_t>(k); }
+/// See `Named_parameters::face_chart_map()`.
 template <typename K> auto face_chart_map(const K& k) { return Named_parameters<K, internal::face_chart_map_t>(k); }
+/// See `Named_parameters::face_page_map()`.
 template <typename K> auto face_page_map(const K& k) { return Named_parameters<K, internal::face_page_map_t>(k); }
+/// See `Named_parameters::edge_seam_map()`.
 template <typename K> auto edge_seam_map(const K& k) { return Named_parameters<K, internal::edge_seam_map_t>(k); }
 // clang-format on
 

@@ -21,11 +21,15 @@ using Color = std::array<std::uint8_t, 3>;
 /// \brief How large a picture or a page is, in pixels or texels. One number stands for a square.
 struct Image_size
 {
-  std::size_t width = 0, height = 0;
+  /// In pixels.
+  std::size_t width = 0, height = 0; ///< in pixels
 
+  /// A square.
   Image_size(std::size_t side) : width(side), height(side) {}
+  /// Width and height.
   Image_size(std::size_t w, std::size_t h) : width(w), height(h) {}
 
+  /// The larger of width and height.
   std::size_t longer_side() const { return std::max(width, height); }
 
   /// The same shape with a longer side of so many pixels; none has less than one.
@@ -42,18 +46,23 @@ struct Image_size
 /// \brief A picture of 8-bit colours; the first row is the top one.
 struct Image
 {
-  std::size_t width = 0, height = 0; ///< pixels
+  /// In pixels.
+  std::size_t width = 0, height = 0; ///< in pixels
   std::vector<Color> pixels;         ///< row by row
   std::vector<std::uint8_t> alpha;   ///< per pixel, 0 is transparent; colours are not multiplied by it; or
                                      ///< empty: opaque
 
   Image() = default;
+  /// A picture of one colour.
   Image(std::size_t w, std::size_t h, const Color& background = {255, 255, 255})
       : width(w), height(h), pixels(w * h, background)
   {}
 
+  /// A pixel; the first row is on top.
   Color& at(std::size_t x, std::size_t y) { return pixels[y * width + x]; }
+  /// A pixel; the first row is on top.
   const Color& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
+  /// The opacity of a pixel, 255 where the picture has none.
   std::uint8_t alpha_at(std::size_t x, std::size_t y) const
   {
     return alpha.empty() ? 255 : alpha[y * width + x];

@@ -13,7 +13,8 @@ namespace Atlas {
 /// Where the camera stands: turned about the vertical axis, then raised above the horizon. Degrees.
 struct View_direction
 {
-  double azimuth = 0, elevation = 0;
+  /// Where the viewer stands, in degrees.
+  double azimuth = 0, elevation = 0; ///< how high, in degrees
 };
 
 /// The sides that `render_model()` shows by default: front right, right back, back left, from above.

@@ -60,15 +60,15 @@ std::vector<double> gradient_angles(const Chart& chart);
 /// Triangles without area in space or in the plane are left out.
 struct Distortion
 {
-  std::size_t triangles = 0;       ///< measured
-  double area_3d = 0;              ///< of the measured triangles
-  double area_uv = 0;              ///< of the measured triangles
-  double l2_stretch = 1;           ///< sqrt(mean (s1^2 + s2^2)/2), >= 1; Sander et al. 2001
-  double linf_stretch = 1;         ///< max s1; Sander et al. 2001
-  double stretch_p99 = 1;          ///< 99 % quantile of max(s1, 1/s2)
-  double stretch_max = 1;          ///< largest max(s1, 1/s2)
-  double quasi_conformal_mean = 1; ///< mean s1/s2; 1 is conformal
-  double quasi_conformal_max = 1;
+  std::size_t triangles = 0;           ///< measured
+  double area_3d = 0;                  ///< of the measured triangles
+  double area_uv = 0;                  ///< of the measured triangles
+  double l2_stretch = 1;               ///< sqrt(mean (s1^2 + s2^2)/2), >= 1; Sander et al. 2001
+  double linf_stretch = 1;             ///< max s1; Sander et al. 2001
+  double stretch_p99 = 1;              ///< 99 % quantile of max(s1, 1/s2)
+  double stretch_max = 1;              ///< largest max(s1, 1/s2)
+  double quasi_conformal_mean = 1;     ///< mean s1/s2; 1 is conformal
+  double quasi_conformal_max = 1;      ///< the largest of a triangle
   double angle_mean = 0;               ///< mean 2 atan(s1/s2) - 90 degrees: the largest loss of a right angle
   double area_mean = 1;                ///< mean max(r, 1/r), r = 1/(s1 s2)
   double area_min = 1;                 ///< least r
@@ -78,7 +78,7 @@ struct Distortion
   double area_p95 = 1;                 ///< 95 % quantile of r
   double area_p99 = 1;                 ///< 99 % quantile of r
   double symmetric_dirichlet_mean = 1; ///< mean (s1^2 + s2^2 + 1/s1^2 + 1/s2^2)/4; 1 is isometric
-  double symmetric_dirichlet_max = 1;
+  double symmetric_dirichlet_max = 1;  ///< the largest of a triangle
 };
 
 /// Summarises measured triangles. O(n log n) for the quantiles.

@@ -28,6 +28,7 @@ namespace Atlas {
 class Horizon_packer
 {
 public:
+  /// Places the pieces of one page.
   std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
 
   /// \throws Invalid_argument \see `Page_packer::pack()`
@@ -46,6 +47,7 @@ static_assert(PageEngine<Horizon_packer> && ChartPacker<Horizon_packer>);
 class Rectangle_packer
 {
 public:
+  /// Places the pieces of one page.
   std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
 
   /// \throws Invalid_argument \see `Page_packer::pack()`
@@ -65,6 +67,7 @@ static_assert(PageEngine<Rectangle_packer> && ChartPacker<Rectangle_packer>);
 class Row_packer
 {
 public:
+  /// Places the pieces of one page.
   std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
 
   /// \throws Invalid_argument \see `Page_packer::pack()`

@@ -32,7 +32,7 @@ struct Page_piece
   std::vector<std::complex<double>> points;   ///< ends of the segments; at least one
   std::vector<std::array<Index, 2>> segments; ///< pairs of points. First those of the border, with the inside
                                               ///< on their left if `orientation` is 1; then folds
-  std::size_t number_of_border_segments = 0;
+  std::size_t number_of_border_segments = 0;  ///< how many of `segments`, from the first on, are border
   int orientation = 0; ///< of the triangles: 1 counterclockwise, -1 clockwise, 0 both or degenerate
   std::vector<std::array<std::complex<double>, 3>> triangles; ///< only of pieces that are folded, whose
                                                               ///< border alone does not tell what is inside
@@ -47,17 +47,18 @@ struct Page_piece
 /// \brief A piece that stays where it is. Its outline is in texels about its centre.
 struct Page_obstacle
 {
-  Page_piece outline;
+  Page_piece outline;          ///< what keeps its place
   std::complex<double> centre; ///< where it is, in texels
 };
 
 /// \brief One page to be filled with all of the pieces. Texels count from the lower left corner.
 struct Page_task
 {
-  std::vector<Page_piece> pieces;
+  std::vector<Page_piece> pieces;       ///< at least one
   std::vector<Page_obstacle> obstacles; ///< none, unless the engine heeds them. \see `ObstaclePageEngine`
-  Index width = 0, height = 0;          ///< texels, at least 1
-  double gutter = 0;                    ///< least distance between two pieces, in texels
+  /// In texels, at least 1.
+  Index width = 0, height = 0; ///< in texels, at least 1
+  double gutter = 0;           ///< least distance between two pieces, in texels
   double margin = 0; ///< what a piece is to keep from the border, and half of what two are to keep from each
                      ///< other: half of the gutter, and what rounding to single precision may cost
   double most_scale = std::numeric_limits<double>::infinity(); ///< larger scales are not wanted
@@ -111,6 +112,7 @@ struct Page_engine_interface
 class Any_page_engine : public internal::Any_policy<internal::Page_engine_interface>
 {
 public:
+  /// Holds an engine of any type.
   template <PageEngine Engine>
   requires internal::is_other<Engine, Any_page_engine> Any_page_engine(Engine engine)
       : Any_policy(std::make_shared<Model<Engine>>(std::move(engine)), typeid(Engine))
@@ -146,6 +148,7 @@ private:
 class Page_packer
 {
 public:
+  /// A packer from an engine.
   explicit Page_packer(Any_page_engine engine) : engine_(std::move(engine)) {}
 
   /// O(n log n) for n segments besides the work of the engine, which is called once for each page where

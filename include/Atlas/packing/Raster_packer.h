@@ -42,10 +42,12 @@ inline constexpr std::size_t max_charts_of_fast_search = 5000;
 class Raster_packer
 {
 public:
-  static constexpr bool heeds_obstacles = true;
+  static constexpr bool heeds_obstacles = true; ///< pieces keep off locked charts
 
+  /// A packer of that effort.
   explicit Raster_packer(Packing_effort effort = Packing_effort::fast) : effort_(effort) {}
 
+  /// Places the pieces of one page.
   std::optional<Page_layout> lay_out(const Page_task& task, const Execution& execution) const;
 
   /// \throws Invalid_argument \see `Page_packer::pack()`

@@ -22,7 +22,7 @@ struct Repacked_charts
   std::vector<Index> page;   ///< per input corner
   std::vector<Chart> charts; ///< in the coordinates that came in
   Segmentation segmentation; ///< which triangle is in which chart; those without coordinates in none
-  Packing packing;
+  Packing packing;           ///< where the charts go
 };
 
 /// \brief Packs texture coordinates that came from elsewhere; the shapes of charts stay as they are.

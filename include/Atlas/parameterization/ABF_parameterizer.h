@@ -14,8 +14,8 @@ namespace Atlas {
 struct ABF_record
 {
   std::vector<std::array<double, 3>> angles; ///< per triangle its angles in the plane, in radians
-  int iterations = 0;
-  double energy = 0; ///< sum over the corners of (angle / angle asked for - 1)^2
+  int iterations = 0;                        ///< how many linear systems were solved
+  double energy = 0;                         ///< sum over the corners of (angle / angle asked for - 1)^2
   /// The largest amount by which the angles around an inner vertex miss a condition: in radians, or as the
   /// logarithm of how much a wheel of triangles does not close up.
   double violation = 0;
@@ -42,11 +42,11 @@ struct ABF_record
 class ABF_parameterizer
 {
 public:
-  static constexpr int default_max_iterations = 100;
+  static constexpr int default_max_iterations = 100; ///< of linear systems
   /// The iteration ends when no angle changes by more than this part of itself, and no condition is missed
   /// by more than `condition_tolerance`.
   static constexpr double angle_tolerance = 1e-6;
-  static constexpr double condition_tolerance = 1e-10;
+  static constexpr double condition_tolerance = 1e-10; ///< how well angles fit together in the end
 
   /// \throws Invalid_argument unless there is one iteration at least
   explicit ABF_parameterizer(int max_iterations = default_max_iterations);

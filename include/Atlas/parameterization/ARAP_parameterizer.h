@@ -18,8 +18,8 @@ namespace Atlas {
 class ARAP_parameterizer
 {
 public:
-  static constexpr std::size_t default_max_iterations = 200;
-  static constexpr double default_tolerance = 1e-6;
+  static constexpr std::size_t default_max_iterations = 200; ///< of local and global steps
+  static constexpr double default_tolerance = 1e-6; ///< relative decrease of the energy at which they end
 
   /// \param tolerance  the iteration ends when it lowers the energy by less than this part of the area
   /// \throws Invalid_argument unless the tolerance is at least 0

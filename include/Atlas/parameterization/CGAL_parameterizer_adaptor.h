@@ -30,6 +30,7 @@ template <typename Parameterizer>
 class CGAL_parameterizer_adaptor
 {
 public:
+  /// Takes any parameterizer of CGAL.
   explicit CGAL_parameterizer_adaptor(Parameterizer parameterizer = Parameterizer())
       : parameterizer_(std::move(parameterizer))
   {}

@@ -17,6 +17,7 @@ namespace Atlas {
 class Cholmod_LSCM_solver
 {
 public:
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution&)
   {
     const auto n = static_cast<Eigen::Index>(system.size());
@@ -25,6 +26,7 @@ public:
     return cholmod_.info() == Eigen::Success;
   }
 
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b)
   {
     Eigen::Map<Eigen::VectorXcd> map(b.data(), static_cast<Eigen::Index>(b.size()));

@@ -12,8 +12,8 @@ namespace Atlas {
 /// \brief When the optimisation of a chart ends.
 struct Distortion_options
 {
-  static constexpr std::size_t default_max_iterations = 60;
-  static constexpr double default_tolerance = 2e-4;
+  static constexpr std::size_t default_max_iterations = 60; ///< of Newton steps
+  static constexpr double default_tolerance = 2e-4; ///< relative decrease of the energy at which they end
 
   /// Charts of many vertices take fewer: a million over their number, but eight at least.
   std::size_t max_iterations = default_max_iterations;

@@ -47,6 +47,7 @@ template <LSCMTraits Traits = Eigen_LSCM_traits>
 class LSCM_parameterizer
 {
 public:
+  /// With these pins and this solver.
   explicit LSCM_parameterizer(Traits traits = {}) : traits_(std::move(traits)) {}
 
   /// \return `not_a_disc` for a chart without triangles; `solver_failed` if the system has no unique finite
@@ -99,7 +100,9 @@ public:
   }
 
   ~Interactive_LSCM();
+  /// Moves the factorization.
   Interactive_LSCM(Interactive_LSCM&&) noexcept;
+  /// Moves the factorization.
   Interactive_LSCM& operator=(Interactive_LSCM&&) noexcept;
 
   /// `valid` if there is a factorization; else why not, as `LSCM_parameterizer` tells.

@@ -40,8 +40,8 @@ struct LSCM_system
   /// the first of each column is the diagonal, which is real. Off the diagonal, only entries between two
   /// neighbours on the border have an imaginary part.
   std::vector<int> first;
-  std::vector<int> row;
-  std::vector<std::complex<double>> value;
+  std::vector<int> row;                    ///< of each entry, increasing in a column
+  std::vector<std::complex<double>> value; ///< of each entry
 
   /// Per vertex of the chart: the number of its unknown, or -1 if it has none.
   std::vector<int> unknown;
@@ -104,10 +104,12 @@ struct LSCM_solver_model final : LSCM_solver_interface
   LSCM_solver_model() = default;
   explicit LSCM_solver_model(Solver s) : solver(std::move(s)) {}
 
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution& execution) override
   {
     return solver.factorize(system, execution);
   }
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b) override { return solver.solve(b); }
 
   Solver solver;
@@ -156,6 +158,7 @@ template <LSCMSolver Solver_>
 class Basic_LSCM_traits
 {
 public:
+  /// Solves the system.
   using Solver = Solver_;
 
   Basic_LSCM_traits() = default;
@@ -168,6 +171,7 @@ public:
       internal::check_pins(pins_);
   }
 
+  /// The given ones.
   const std::vector<LSCM_pin>& pins(const Chart&) const { return pins_; }
 
 private:
@@ -179,7 +183,9 @@ private:
 class Direct_LSCM_solver
 {
 public:
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution& execution);
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b);
 
 private:
@@ -194,7 +200,9 @@ private:
 class Conjugate_gradient_LSCM_solver
 {
 public:
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution& execution);
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b);
 
 private:
@@ -204,8 +212,8 @@ private:
 /// \brief How an iterative solver fared with its last right-hand side.
 struct LSCM_iteration_record
 {
-  std::size_t iterations = 0;
-  double residual = 0; ///< |b - H x| / |b|, computed anew from the solution
+  std::size_t iterations = 0; ///< of the last solve
+  double residual = 0;        ///< |b - H x| / |b|, computed anew from the solution
 };
 
 namespace internal {
@@ -229,7 +237,9 @@ struct LSCM_iteration : LSCM_solver_interface
 class Preconditioned_CG_LSCM_solver
 {
 public:
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution& execution);
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b);
 
   /// Of the last solution.
@@ -252,7 +262,9 @@ private:
 class Multigrid_LSCM_solver
 {
 public:
+  /// See \ref LSCMTraits.
   bool factorize(const LSCM_system& system, const Execution& execution);
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b);
 
   /// Of the last solution.
@@ -273,7 +285,7 @@ private:
 class Out_of_core_LSCM_solver
 {
 public:
-  static constexpr std::size_t default_memory_limit = std::size_t(1) << 30;
+  static constexpr std::size_t default_memory_limit = std::size_t(1) << 30; ///< bytes
 
   /// \param memory_limit  in bytes
   /// \param directory     of the temporary file; empty for the system's choice
@@ -282,6 +294,7 @@ public:
 
   /// `false` also if the limit is too low for the chart, or the file cannot be written.
   bool factorize(const LSCM_system& system, const Execution& execution);
+  /// See \ref LSCMTraits.
   bool solve(std::span<std::complex<double>> b);
 
 private:
@@ -313,8 +326,10 @@ std::vector<LSCM_pin> diameter_pins(const Chart& chart, std::size_t most_visits 
 template <LSCMSolver Solver_>
 struct Diameter_LSCM_traits
 {
+  /// Solves the system.
   using Solver = Solver_;
 
+  /// The ends of the diameter.
   std::vector<LSCM_pin> pins(const Chart& chart) const { return diameter_pins(chart); }
 };
 
@@ -345,6 +360,7 @@ public:
       : Basic_LSCM_traits(std::move(pins)), memory_limit_(memory_limit), directory_(std::move(directory))
   {}
 
+  /// A new solver for a chart.
   Out_of_core_LSCM_solver solver() const { return Out_of_core_LSCM_solver(memory_limit_, directory_); }
 
 private:

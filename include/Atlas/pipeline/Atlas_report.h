@@ -101,10 +101,10 @@ struct Chart_report
 {
   Chart_status status = Chart_status::valid; ///< `valid`, or `bound_exceeded` or `area_ratio_exceeded` where
                                              ///< a bound was given up
-  std::size_t triangles = 0;
-  double area = 0;             ///< in space, squared units of the model
-  Distortion distortion;       ///< up to the chart's own scale
-  Distortion unoptimized;      ///< the same before the optimizer
+  std::size_t triangles = 0;                 ///< how many it has
+  double area = 0;                           ///< in space, squared units of the model
+  Distortion distortion;                     ///< up to the chart's own scale
+  Distortion unoptimized;                    ///< the same before the optimizer
   double stretch = 1;          ///< what the share of its area that `Atlas_report::bound` names has at most
   bool is_within_bound = true; ///< whether the distortion is at most `Atlas_report::bound`
   Excess_reason reason = Excess_reason::none; ///< why it is not
@@ -115,21 +115,22 @@ struct Chart_report
 /// \brief What happened: the answer of `generate_atlas()`.
 struct [[nodiscard]] Atlas_report
 {
-  Atlas_status status = Atlas_status::no_surface;
+  Atlas_status status = Atlas_status::no_surface; ///< how the run ended
 
   std::size_t faces = 0;     ///< of the input
   std::size_t triangles = 0; ///< after the triangulation of its polygons
-  std::size_t pages = 0;
-  Index page_width = 0, page_height = 0; ///< texels
+  std::size_t pages = 0;     ///< how many have charts on them
+  /// Width of a page, in texels.
+  Index page_width = 0, page_height = 0; ///< height of a page, in texels
   double gutter = 0;                     ///< asked for, texels
 
   std::vector<Surface::Rejected_face>
       rejected;              ///< faces that cannot have coordinates of their own, with the reason
   Segmentation segmentation; ///< per triangle of the surface its chart, and the cuts. Charts are numbered in
                              ///< the order of their first triangles, here, in `charts` and in the certificate
-  std::vector<Index> face_chart; ///< per face of the input: its chart, or `no_index` for a rejected face
-  std::vector<Index> face_page;  ///< per face of the input: its page
-  std::vector<Chart_report> charts;
+  std::vector<Index> face_chart;    ///< per face of the input: its chart, or `no_index` for a rejected face
+  std::vector<Index> face_page;     ///< per face of the input: its page
+  std::vector<Chart_report> charts; ///< in the order of their first triangles
   std::size_t segmented_charts = 0; ///< how many charts the segmentation made, before they were cut to discs
   std::size_t split_charts = 0;     ///< how many charts were refused and split on the way
   std::size_t rejoined_pieces = 0;  ///< how many of the pieces were accepted together with a neighbour
@@ -141,7 +142,7 @@ struct [[nodiscard]] Atlas_report
                                   ///< the certificate takes each such layer for a page of its own
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
-  std::size_t charts_beyond_bound = 0;
+  std::size_t charts_beyond_bound = 0; ///< how many charts exceed it; each says why
 
   double area = 0;        ///< of the surface, squared units of the model
   double seam_length = 0; ///< units of the model, each seam once
@@ -154,9 +155,11 @@ struct [[nodiscard]] Atlas_report
   double density = 0;                        ///< texels per unit of the model
 
   std::array<double, std::size(all_stages)> seconds{}; ///< wall-clock time of each stage
-  Atlas_certificate certificate;
+  Atlas_certificate certificate;                       ///< what has been proved
 
+  /// Whether the coordinates are proved.
   bool is_valid() const { return status == Atlas_status::valid; }
+  /// The time of all stages together.
   double total_seconds() const
   {
     double sum = 0;

@@ -82,13 +82,13 @@ struct Repair_options
 /// \brief The policies of a run, one for each stage.
 struct Policies
 {
-  Any_segmentation segmentation;
-  Any_parameterizer parameterizer;
-  Any_optimizer optimizer;
-  Any_validator validator;
-  Any_splitter splitter;
-  Any_packer packer;
-  Repair_options repair = {};
+  Any_segmentation segmentation;   ///< makes charts
+  Any_parameterizer parameterizer; ///< lays them flat
+  Any_optimizer optimizer;         ///< lowers their distortion
+  Any_validator validator;         ///< accepts or refuses them
+  Any_splitter splitter;           ///< divides what was refused
+  Any_packer packer;               ///< puts charts on pages
+  Repair_options repair = {};      ///< what else is done about refused charts
 };
 
 /// \brief The policies of a mode. Each may be exchanged for another.

@@ -27,9 +27,13 @@ public:
   Merged_segmentation(Any_segmentation base, Any_parameterizer parameterizer, Any_optimizer optimizer,
                       const Merge_options& options = {});
 
+  /// Who makes the charts to begin with.
   const Any_segmentation& base() const { return base_; }
+  /// Who flattens unions for trial.
   const Any_parameterizer& parameterizer() const { return parameterizer_; }
+  /// Who lowers their distortion.
   const Any_optimizer& optimizer() const { return optimizer_; }
+  /// When charts merge.
   const Merge_options& options() const { return options_; }
   /// Of the charts that come from merging. Splits that a flattening needs later only lower the distortion.
   Distortion_bound bound() const { return internal::bound_of(options_); }
@@ -71,7 +75,9 @@ public:
   /// \param symmetry  which planes come into question
   explicit Mirrored_segmentation(Merged_segmentation merged, Symmetry symmetry = Symmetry::automatic);
 
+  /// Who segments halves.
   const Merged_segmentation& merged() const { return merged_; }
+  /// Which planes come into question.
   Symmetry symmetry() const { return symmetry_; }
   /// That of the merged charts.
   Distortion_bound bound() const { return merged_.bound(); }
@@ -99,7 +105,9 @@ public:
   /// \param bound  that a grid keeps when it is straight
   Straight_segmentation(Any_segmentation rest, const Distortion_bound& bound);
 
+  /// Who segments the rest.
   const Any_segmentation& rest() const { return rest_; }
+  /// What grids keep.
   Distortion_bound bound() const { return bound_; }
 
   /// Once cancelled, returns the charts of that moment.
@@ -131,6 +139,7 @@ public:
   /// never
   Developable_segmentation(Any_segmentation rest, Any_packer packer, std::size_t max_charts = 0);
 
+  /// Who segments the rest.
   const Any_segmentation& rest() const { return rest_; }
   /// That of the other model.
   Distortion_bound bound() const { return rest_.bound().value_or(Distortion_bound()); }

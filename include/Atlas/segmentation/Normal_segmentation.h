@@ -18,6 +18,7 @@ namespace Atlas {
 class Normal_segmentation
 {
 public:
+  /// What can be asked for.
   struct Options
   {
     /// 1 groups by the six sides of a cube, 2 by 24 cells, n by 6 n^2; in [1, 1000].
@@ -30,6 +31,7 @@ public:
   /// \throws Invalid_argument if an option is out of its range
   explicit Normal_segmentation(const Options& options);
 
+  /// What is asked for.
   const Options& options() const { return options_; }
 
   /// Once cancelled, leaves small charts as they are.

@@ -26,6 +26,7 @@ public:
   /// patch
   explicit Patch_segmentation(std::vector<Index> patch_of_face) : patch_of_face_(std::move(patch_of_face)) {}
 
+  /// A chart for each patch, cut at edges that must be seams.
   Segmentation segment(const Surface& surface, const Execution& execution = Execution()) const;
 
 private:

@@ -38,6 +38,7 @@ public:
   /// \throws Invalid_argument if an option is out of its range
   explicit Region_growing_segmentation(const Options& options);
 
+  /// What is asked for.
   const Options& options() const { return options_; }
 
   /// Once cancelled, returns what has grown by then.

@@ -18,6 +18,7 @@ namespace Atlas {
 class Variational_segmentation
 {
 public:
+  /// What can be asked for.
   struct Options
   {
     /// Number of charts; 0 lets `max_spread` decide. Every connected component has one chart at least.
@@ -40,6 +41,7 @@ public:
   /// \throws Invalid_argument if an option is out of its range
   explicit Variational_segmentation(const Options& options);
 
+  /// What is asked for.
   const Options& options() const { return options_; }
 
   /// Once cancelled, returns one chart per connected component or better.

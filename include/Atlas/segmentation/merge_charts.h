@@ -80,7 +80,7 @@ inline Distortion_bound bound_of(const Merge_options& options)
 } // namespace internal
 
 /// Fewer charts and shorter seams for more distortion: a bound of 1.05, and charts as large and as ramified
-/// as it allows. On the eight meshes of the manual's table a quarter of UVAtlas's charts and less than two
+/// as it allows. On the eight meshes of the manual's table a quarter of UVAtlas's charts and about two
 /// thirds of its seams; pages fill less well, since a large chart leaves gaps that nothing can fill.
 Merge_options few_seams_options();
 

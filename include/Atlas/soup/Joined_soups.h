@@ -23,15 +23,20 @@ namespace Atlas {
 class Joined_soups
 {
 public:
+  /// Joins them, in this order.
   explicit Joined_soups(std::vector<Polygon_soup> soups);
 
   /// All models as one. It may be changed as long as its lists keep their lengths, but for those of
   /// attributes, which may be filled or emptied, and as long as each vertex stays in its model.
   Polygon_soup& whole() { return whole_; }
+  /// All of them as one.
   const Polygon_soup& whole() const { return whole_; }
 
+  /// How many were joined.
   std::size_t number_of_parts() const { return parts_.size() - 1; }
+  /// Where the vertices of a part begin.
   std::size_t first_vertex(std::size_t part) const { return parts_[part].vertex; }
+  /// Where the faces of a part begin.
   std::size_t first_face(std::size_t part) const { return parts_[part].face; }
 
   /// One of the models, as it is now.

@@ -34,21 +34,25 @@ struct Polygon_soup
   std::vector<Vector_3> normals;    ///< the normals that `corner_normal` refers to
   std::vector<Index> corner_normal; ///< per corner: its normal or `no_index`; or empty
 
-  std::vector<std::string> material_names;
+  std::vector<std::string> material_names;     ///< those that `face_material` refers to
   std::vector<Index> face_material;            ///< per face: its material or `no_index`; or empty
   std::vector<std::string> material_libraries; ///< MTL files that an OBJ file names
   std::vector<std::string> page_textures;      ///< per page: the picture that a PLY file names for it
-  std::vector<std::string> group_names;
-  std::vector<Index> face_group; ///< per face: its group or object, or `no_index`; or empty
+  std::vector<std::string> group_names;        ///< those that `face_group` refers to
+  std::vector<Index> face_group;               ///< per face: its group or object, or `no_index`; or empty
 
   std::vector<std::string> warnings; ///< what the reader passed over or took otherwise than it is written
 
+  /// How many faces there are.
   std::size_t number_of_faces() const { return first.size() - 1; }
+  /// How many corners all faces have together.
   std::size_t number_of_corners() const { return vertices.size(); }
+  /// The vertices of a face.
   std::span<const Index> face(std::size_t f) const
   {
     return std::span<const Index>(vertices).subspan(first[f], first[f + 1] - first[f]);
   }
+  /// The page of a face.
   Index page(std::size_t f) const { return face_page.empty() ? 0 : face_page[f]; }
   /// One more than the largest page of a face.
   Index number_of_pages() const

@@ -31,8 +31,11 @@ public:
   explicit Exact_validator(double max_area_ratio = default_max_area_ratio, double area_quantile = 0,
                            const Distortion_bound& bound = {});
 
+  /// The bound on the ratio of densities.
   double max_area_ratio() const { return max_area_ratio_; }
+  /// The share of the area that it leaves out at either end.
   double area_quantile() const { return area_quantile_; }
+  /// The bound on the distortion.
   const Distortion_bound& bound() const { return bound_; }
 
   /// The worst that is wrong with the chart, with the triangles to blame: `flipped` before `overlapping`

@@ -30,9 +30,10 @@ struct Atlas_certificate
   std::size_t faces = 0;     ///< faces of the mesh
   std::size_t triangles = 0; ///< triangles of those that can take part
   std::size_t rejected_faces =
-      0; ///< faces that are none (too few corners, no finite position); never to blame
-  std::size_t pages = 0;
-  Index width = 0, height = 0; ///< of a page, in texels
+      0;                 ///< faces that are none (too few corners, no finite position); never to blame
+  std::size_t pages = 0; ///< how many have faces on them
+  /// Width of a page, in texels.
+  Index width = 0, height = 0; ///< height of a page, in texels
 
   // Triangles.
   std::size_t not_finite = 0;      ///< a corner has no coordinates, or NaN or infinite ones
@@ -41,20 +42,20 @@ struct Atlas_certificate
   std::size_t corners_outside = 0; ///< corners of faces that lie outside of the page
 
   // Overlaps: pairs of triangles on the same page whose interiors intersect. Contact is none.
-  bool is_overlap_free = true;
-  std::size_t overlaps_in_charts = 0;
-  std::size_t overlaps_between_charts = 0;
-  bool are_overlaps_complete = true; ///< `false`: counting was stopped, there may be more
+  bool is_overlap_free = true;             ///< decided by a sweep over the border
+  std::size_t overlaps_in_charts = 0;      ///< pairs of one chart
+  std::size_t overlaps_between_charts = 0; ///< pairs of two charts
+  bool are_overlaps_complete = true;       ///< `false`: counting was stopped, there may be more
 
   // Charts.
-  std::size_t charts = 0;
+  std::size_t charts = 0;          ///< see above
   std::size_t non_disc_charts = 0; ///< not homeomorphic to a disc
   std::size_t mirrored_charts = 0; ///< most triangles are clockwise
   double seam_length = 0;          ///< in space: edges whose triangles differ in the plane, each once
 
   // Distances, in texels.
-  double gutter = 0; ///< asked for between charts; half of it to the border of the page
-  double gutter_tolerance = 0;
+  double gutter = 0;           ///< asked for between charts; half of it to the border of the page
+  double gutter_tolerance = 0; ///< by how much a distance may fall short
   double chart_distance = std::numeric_limits<double>::infinity(); ///< smallest between two charts on a page
   double page_border_distance =
       std::numeric_limits<double>::infinity(); ///< smallest from a chart to the border of its page; negative
@@ -62,8 +63,8 @@ struct Atlas_certificate
   std::array<Index, 2> closest_faces{no_index, no_index}; ///< of two charts, at `chart_distance`
 
   // Density, in texels per unit of the model: square root of (area in texels / area in space).
-  double density_min = std::numeric_limits<double>::infinity();
-  double density_max = 0;
+  double density_min = std::numeric_limits<double>::infinity(); ///< the least of a triangle
+  double density_max = 0;                                       ///< the largest of a triangle
 
   std::vector<Index>
       face_chart; ///< per face its chart, in the order of their first triangles; `no_index`: none
@@ -74,6 +75,7 @@ struct Atlas_certificate
                                     ///< corner to the border of the page; sorted, capped like `culprits`.
                                     ///< Where charts overlap each other, only the latter.
 
+  /// Whether charts keep the gutter from each other, and half of it from the border.
   bool keeps_gutter() const
   {
     return chart_distance >= gutter - gutter_tolerance &&
@@ -109,10 +111,10 @@ struct Certificate_options
   Index width = default_texture_size;  ///< texels; a unit of u
   Index height = default_texture_size; ///< texels; a unit of v
   double gutter = 0; ///< least distance between charts, in texels; half of it to the page border
-  double gutter_tolerance = default_gutter_tolerance; ///< texels
-  Uv_precision precision = Uv_precision::double_precision;
-  std::size_t max_overlaps = 1'000'000; ///< pairs of triangles to count at most
-  std::size_t max_culprits = 1'000'000; ///< faces to list at most
+  double gutter_tolerance = default_gutter_tolerance;      ///< texels
+  Uv_precision precision = Uv_precision::double_precision; ///< to which coordinates are rounded first
+  std::size_t max_overlaps = 1'000'000;                    ///< pairs of triangles to count at most
+  std::size_t max_culprits = 1'000'000;                    ///< faces to list at most
 };
 
 /// \brief Examines texture coordinates of any origin.
