@@ -35,6 +35,10 @@ expect_match 0 'valid' out.obj -o again.obj --texture-size 64 --effort fast --ro
 # 100 texels per unit: each quad measures 10 x 20 texels; a page of 32 x 32 holds two of them at most.
 expect_match 0 'pages=[345] .*texels_per_unit=100 ' piled.obj -o out.obj --texture-size 32 --density 100 --effort fast
 awk '$1 == "vt" && $2 > 1 { n = 1 } END { exit !n }' out.obj || fail "no second tile"
+run 0 piled.obj -o out.obj --texture-size 16 --density 100 --effort fast
+grep -q 'a chart at 100 texels per unit is larger than a page' stderr || fail "a lower density is not told: $(cat stderr)"
+expect_match 2 'must end in .obj' piled.obj -o out.glb
+[ ! -e out.glb ] || fail "an OBJ file of another name"
 expect_match 0 'pages=2' piled.obj -o out.obj --texture-size 64 --pages 2 --effort fast
 # Copies that lie on each other as they were asked to are no fault; all of them cover the page once.
 for stack in copies mirrored; do

@@ -77,7 +77,7 @@ kill -9 $process
 wait $process 2>killed.wait
 done_before=$(wc -l <killed.txt)
 [ "$done_before" -ge 100 ] && [ "$done_before" -lt $count ] || fail "killed after $done_before lines"
-: >killed/meshes/.0000.obj.99999.part # as a run that is killed may leave
+: >killed/meshes/.0000.obj.99999999.part # as a run that is killed may leave
 batch 0 killed
 before=$(tail -n 1 killed.err | sed -n 's/.* \([0-9]*\) before.*/\1/p')
 [ $((before - done_before)) -ge 0 ] && [ $((before - done_before)) -le 1 ] ||
@@ -191,5 +191,22 @@ run 2 a.obj --shard 1/2
 echo a.obj >list.txt
 batch 3 .
 grep -q overwritten ..err || fail "a mesh would be overwritten by its atlas"
+cp meshes/0000.obj b.obj
+printf 'deep/b.obj\nb.obj\n' >list.txt
+mkdir deep old
+cp b.obj deep/b.obj
+cp b.obj deep/kept.obj
+batch 3 . # deep/b.obj is first and would take the name of b.obj
+cmp -s b.obj deep/kept.obj || fail "a mesh of the list is overwritten by the atlas of another"
+printf '\357\273\277a.obj\n' >list.txt # as Windows starts a text
+batch 0 windows
+# What has been read is not written over: the second run would start from another texture.
+run 0 a.obj -o old/tq.obj --texture-size 64
+cp old/tq_checkerboard.png old/tq_texture.png
+sed -i 's/tq_checkerboard/tq_texture/' old/tq.mtl
+cp old/tq_texture.png kept.png
+echo old/tq.obj >list.txt
+batch 1 . --format ply --bake texture
+cmp -s old/tq_texture.png kept.png || fail "a texture that was read is overwritten"
 run 3 --batch none.txt
 finish

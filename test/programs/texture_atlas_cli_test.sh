@@ -176,6 +176,10 @@ sed 's#^f 9/9 10/10 11/11 12/12#f 9 10 11 12#' squares.obj >partly.obj # the new
 expect 0 0 partly.obj -o out/a.obj --texture-size 256 --only iron --quiet
 expect 0 1 unlockable.obj -o out/a.obj --texture-size 256 --only iron
 grep -q '2 faces that are to stay' stderr || fail "faces that cannot stay: $(cat stderr)"
+awk '$1 == "vt" { $2 += 0.9 } 1' squares.obj >wide.obj # across the border of a tile
+rm -f out/a.obj
+expect 3 1 wide.obj -o out/a.obj --texture-size 256 --only iron
+grep -q 'goes beyond its tile' stderr && [ ! -e out/a.obj ] || fail "charts that are to stay and cannot: $(cat stderr)"
 expect 2 1 squares.obj -o out/a.obj --only gold
 expect 2 1 squares.obj -o out/a.obj --only iron --keep-uv
 expect 2 1 squares.obj -o out/a.obj --only iron --lock wood

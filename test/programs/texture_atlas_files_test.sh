@@ -152,6 +152,16 @@ make 0 0 colored.obj -o a.obj --hard-angle 30 --density 30 --bake tangent-normal
 [ "$(ls a_tangent_normal.*.png | wc -l)" -gt 1 ] && grep -q '^norm a_tangent_normal.<UDIM>.png$' a.mtl || fail "maps of normals of several pages: $(cat a.mtl; ls)"
 make 0 0 colored.obj -o a.obj --bake normals --quiet
 grep -q '^norm' a.mtl && fail "normals that are not of tangent space: $(cat a.mtl)"
+python3 - <<'MESH' # the same, each face with its own vertices, hardly off
+with open("apart.obj", "w") as out:
+    for k, face in enumerate(([0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5])):
+        for i in face:
+            x, y, z = i & 1, i >> 1 & 1, i >> 2
+            out.write(f"v {x + 1e-6 * k} {y} {z} {.3 + .4 * x} {.3 + .4 * y} {.3 + .4 * z}\n")
+        out.write("f -4 -3 -2 -1\n")
+MESH
+make 0 0 apart.obj -o a.obj --hard-angle 30 --weld 1e-4 --bake colors --seamless
+python3 -c 'import json; s = json.load(open("a.json"))["seams_of_textures"]; assert s[0]["edges"] == 12, s' || fail "seams between faces that were welded"
 make 2 1 colored.obj -o a.obj --seamless
 grep -q -e '--seamless requires --bake' stderr || fail "seams without a bake: $(cat stderr)"
 

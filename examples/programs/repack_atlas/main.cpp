@@ -17,6 +17,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ std::vector<Atlas::Index> pages_of_layers(const Atlas::Repacked_charts& repacked
   return pages;
 }
 
-/// One line: what came out, and the verdict on it.
+/// One line: what came out, and the verdict on it. A density that was not kept is told besides.
 void print(const Arguments& arguments, const Atlas::Repacked_charts& repacked,
            const Atlas::Atlas_certificate& certificate)
 {
@@ -54,6 +55,20 @@ void print(const Arguments& arguments, const Atlas::Repacked_charts& repacked,
               repacked.charts.size(), packing.number_of_pages, efficiency, packing.gutter, packing.density,
               stacked,
               certificate.is_valid() ? "valid" : ("NOT VALID: " + Atlas::message(certificate)).c_str());
+  constexpr double tolerance = 1e-6;
+  if (packing.density < arguments.page.density * (1 - tolerance))
+    std::fprintf(
+        stderr,
+        "repack_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
+        arguments.page.density, packing.density);
+}
+
+/// What is wrong with the name of the file to write; empty: nothing.
+std::string fault_of_output(const std::string& name)
+{
+  const std::string_view ending = ".obj";
+  const bool is_obj = name.size() > ending.size() && name.ends_with(ending);
+  return is_obj ? std::string() : "repack_atlas writes OBJ files: the name must end in .obj";
 }
 
 int run(const Arguments& arguments)
@@ -96,7 +111,8 @@ void add_options(CLI::App& app, Arguments& arguments)
   app.add_option("FILE", arguments.file, "OBJ with vt, PLY or glTF")->required();
   app.add_option("-o,--output", arguments.output,
                  "OBJ file to write; coordinates of several pages are UDIM tiles, 1001 the first")
-      ->required();
+      ->required()
+      ->check(fault_of_output);
   arguments.effort = Atlas::Packing_effort::normal;
   add_packing_options(app, arguments);
   app.add_option("--texture", arguments.texture, "Name of a picture for the materials of an MTL file");

@@ -75,9 +75,11 @@ Textures Baker::operator()(Bake what, const Atlas::Execution& execution) const
   for (Atlas::Index page = 0; page < input_.models.whole().number_of_pages(); ++page)
     result.pages.push_back(image(what, page, execution));
   if (is_seamless_ && !execution.is_cancelled()) {
-    const Atlas::Polygon_soup& model = input_.models.whole();
     const Atlas::Texel_meaning meaning =
         what == Bake::tangent_normals ? Atlas::Texel_meaning::tangent_normals : Atlas::Texel_meaning::colors;
+    Atlas::Polygon_soup model = input_.models.whole();
+    if (meaning == Atlas::Texel_meaning::colors)
+      model.points = input_.surface.points; // neighbours are those that have been welded
     const Atlas::Seam_difference before = Atlas::seam_difference(model, result.pages, meaning);
     result.seams = {before, Atlas::make_seamless(model, result.pages, meaning, execution)};
   }

@@ -10,6 +10,9 @@
 
 #include "batch.h"
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -45,6 +48,13 @@ std::optional<std::string> bytes_of(const fs::path& path)
   return std::move(bytes).str();
 }
 
+/// Whether a process of this number is at work here: what it writes is no fragment.
+bool is_running(const std::string& process)
+{
+  const long number = std::strtol(process.c_str(), nullptr, 10);
+  return number > 0 && (kill(static_cast<pid_t>(number), 0) == 0 || errno == EPERM);
+}
+
 } // namespace
 
 std::vector<Batch_entry> read_list(const std::string& list, const std::string& folder,
@@ -52,21 +62,35 @@ std::vector<Batch_entry> read_list(const std::string& list, const std::string& f
 {
   std::istringstream text(Atlas::internal::read_text_file(list == "-" ? "/dev/stdin" : list));
   std::vector<Batch_entry> entries;
-  std::set<std::string> meshes, outputs;
+  std::set<std::string> meshes, taken; // names of reports and records
+  const auto take = [&taken](const std::string& place) {
+    if (taken.count(place + ".json") > 0 || taken.count(place + "_batch.json") > 0)
+      return false;
+    taken.insert({place + ".json", place + "_batch.json"});
+    return true;
+  };
   for (std::string line; std::getline(text, line);) {
+    if (meshes.empty() && line.starts_with("\xEF\xBB\xBF")) // as Windows has it
+      line.erase(0, 3);
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
     if (line.empty() || !meshes.insert(line).second)
       continue;
     const std::string place = (fs::path(folder) / place_of(line)).string();
-    std::string output = place + '.' + format;
-    for (int number = 2; !outputs.insert(output).second; ++number)
-      output = place + '_' + std::to_string(number) + '.' + format;
-    entries.push_back({line, output});
+    std::string name = place;
+    for (int number = 2; !take(name); ++number)
+      name = place + '_' + std::to_string(number);
+    entries.push_back({line, name + '.' + format});
   }
+  std::error_code ignored;
+  std::set<fs::path> sources;
   for (const Batch_entry& entry : entries)
-    if (std::error_code ignored; fs::equivalent(entry.mesh, entry.output, ignored))
-      throw Atlas::IO_error(entry.mesh + ": would be overwritten by its atlas: name another folder by -o");
+    sources.insert(fs::weakly_canonical(entry.mesh, ignored));
+  for (const Batch_entry& entry : entries)
+    if (const fs::path place = fs::weakly_canonical(entry.output, ignored);
+        !place.empty() && sources.count(place) > 0)
+      throw Atlas::IO_error(entry.output + ": would be overwritten by the atlas of " + entry.mesh +
+                            ": name another folder by -o");
   return entries;
 }
 
@@ -123,13 +147,13 @@ void clear_fragments(const std::vector<Batch_entry>& entries)
     stems[fs::path(entry.output).parent_path()].insert(fs::path(entry.output).stem().string());
   const std::regex form(
       "\\.(.+?)(_(checkerboard|color|texture|normal|tangent_normal|occlusion|page|stretch|view|"
-      "batch))?(\\.[0-9]{4})?\\.[a-z]+\\.[0-9]+\\.part");
+      "batch))?(\\.[0-9]{4})?\\.[a-z]+\\.([0-9]+)\\.part");
   std::error_code ignored;
   for (const auto& [folder, own] : stems)
     for (const auto& file : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
       const std::string name = file.path().filename().string();
       std::smatch match;
-      if (std::regex_match(name, match, form) && own.count(match[1].str()) > 0)
+      if (std::regex_match(name, match, form) && own.count(match[1].str()) > 0 && !is_running(match[5].str()))
         fs::remove(file.path(), ignored);
     }
 }

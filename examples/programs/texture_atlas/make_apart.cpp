@@ -98,6 +98,17 @@ public:
 
   const Json& files() const { return files_; }
 
+  /// Throws if one of these has been read: what a batch changes is not what it comes from.
+  void check_unread(const std::vector<std::string>& names) const
+  {
+    std::error_code ignored;
+    for (const std::string& name : names)
+      for (const auto& [file, digest] : files_.items())
+        if (fs::equivalent(file, name, ignored))
+          throw Atlas::IO_error(
+              name + ": is read for this atlas, and would be overwritten: name another folder by -o");
+  }
+
 private:
   std::mutex mutex_;
   Json files_ = Json::object();
@@ -119,6 +130,7 @@ int work(const CLI::App& app, Options options, const Batch_entry& entry, const N
     if (const fs::path folder = fs::path(entry.output).parent_path(); !folder.empty())
       fs::create_directories(folder);
     const Reading_log log(options);
+    options.before_writing = [&log](const std::vector<std::string>& names) { log.check_unread(names); };
     options.when_written = [&](const Atlas::Atlas_report& report, const std::vector<std::string>& names) {
       const Json found = {{"figures", figures_of(report)}, {"read", log.files()}, {"written", names}};
       findings.write(found.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -193,7 +205,11 @@ Json make_apart(const CLI::App& app, const Options& options, const Batch_entry& 
   Json result = outcome_of(entry, status, messages.read(), is_whole);
   if (is_whole) {
     result.update(found.at("figures"));
-    record.write(found.at("read"), found.at("written"), result);
+    try {
+      record.write(found.at("read"), found.at("written"), result);
+    } catch (const Atlas::IO_error& error) { // then it is done again
+      result["messages"].push_back(Atlas::internal::printable(error.what()));
+    }
   }
   return result;
 }

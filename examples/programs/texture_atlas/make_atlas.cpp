@@ -84,7 +84,7 @@ Atlas::Atlas_report remake_part(const Atlas::internal::Soup_options& wishes, con
 {
   const Part part = part_of(model, is_wanted);
   Atlas::Surface surface_of_part =
-      Atlas::build_surface(part.soup.points, part.soup.first, part.soup.vertices);
+      Atlas::build_surface(surface.points, part.soup.first, part.soup.vertices); // as they are welded
   std::vector<Atlas::Point_2> uv_of_part;
   Atlas::Atlas_report report = atlas_of_soup(wishes, part.soup, surface_of_part, uv_of_part, progress);
   if (uv_of_part.empty())

@@ -46,12 +46,10 @@ public:
     names_.push_back(path.string());
   }
 
-  /// Gives the files their names, which are returned.
-  const std::vector<std::string>& commit()
-  {
-    files_.commit();
-    return names_;
-  }
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Gives the files their names.
+  void commit() { files_.commit(); }
 
 private:
   Atlas::internal::Output_files files_;
@@ -308,6 +306,9 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
                 Atlas::json_text(json));
   if (!execution.proceed(1))
     return {};
-  written.names = outputs.commit();
+  if (options.before_writing)
+    options.before_writing(outputs.names());
+  outputs.commit();
+  written.names = outputs.names();
   return written;
 }

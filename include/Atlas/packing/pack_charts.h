@@ -56,7 +56,7 @@ std::optional<Placement> place_of_chart(const Surface& surface, const Chart& cha
 /// \brief A place in texture coordinates, where a page is a UDIM tile of side 1, as a placement in texels of
 /// that page: the tile that has the middle of the chart's bounding box.
 ///
-/// Nothing if that is none of the tiles 1001 to 9999.
+/// Nothing if that is none of the tiles 1001 to 9999, or the chart goes beyond it.
 ///
 /// \param side  of pages in texels; they are squares
 std::optional<Placement> place_on_tile(const Placement& place, const Chart& chart, double side);

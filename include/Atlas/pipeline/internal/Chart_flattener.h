@@ -45,7 +45,7 @@ public:
   static constexpr int generations_in_vain = 4;
   /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
   /// pieces.
-  static constexpr std::size_t work_of_joining = 3;
+  static constexpr std::size_t work_of_joining = 5;
   /// Cells across a chart to which its coordinates are snapped.
   static constexpr double fineness = 4294967296.0;
 

@@ -62,7 +62,7 @@ struct Material_packer
   std::vector<Material_rule> rules; ///< per material
   Any_packer packer;
 
-  /// \throws IO_error if a locked chart lies outside of the tiles, or leaves no room for the others
+  /// \throws IO_error if a locked chart does not lie on a tile, or leaves no room for the others
   Packing pack(std::span<const Chart> charts, const Page_options& options, const Execution& execution) const
   {
     Page_options page = options;
@@ -74,7 +74,8 @@ struct Material_packer
       const auto place = place_of_chart(surface, charts[c], model.uv);
       page.locked.emplace_back();
       if (place && rule.is_locked && !(page.locked[c] = place_on_tile(*place, charts[c], page.width)))
-        throw IO_error("a locked chart lies outside of the tiles 1001 to 9999");
+        throw IO_error(
+            "a chart that is to stay lies outside of the tiles 1001 to 9999, or goes beyond its tile");
       page.groups.push_back(place && rule.is_grouped && !rule.is_locked ? material : no_index);
       page.places_in_group.push_back(place.value_or(Placement()));
     }

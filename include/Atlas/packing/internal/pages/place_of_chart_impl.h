@@ -70,6 +70,10 @@ ATLAS_INLINE std::optional<Placement> place_on_tile(const Placement& place, cons
   constexpr double columns = 10, rows = 900; // of tiles; the last row lacks its last tile
   if (!(u >= 0 && u < columns && v >= 0 && v < rows && u + columns * v < max_pages))
     return std::nullopt;
+  constexpr double slack = 1e-6; // of rounding
+  if (!(box.xmin() >= u - slack && box.xmax() <= u + 1 + slack && box.ymin() >= v - slack &&
+        box.ymax() <= v + 1 + slack))
+    return std::nullopt; // what is packed has to lie on its page
   return Placement{side * place.a,
                    side * place.b,
                    side * (place.x - u),
