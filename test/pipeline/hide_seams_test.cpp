@@ -153,7 +153,9 @@ TEST(HideSeams, SeamsOfAnAtlasGoOutOfSight)
     EXPECT_TRUE(report.is_valid());
     return length_seen_from_above(surface, report.segmentation);
   };
-  const auto np = parameters::texture_size(256);
+  Merge_options loose; // a tight bound on the tail leaves seams no choice
+  loose.max_stretch = 2.5;
+  const auto np = parameters::texture_size(256).merge_options(loose);
   EXPECT_LT(seen(np.hide_seams(Seam_hiding::dome(Vector_3(0, 0, 1)))), 0.6 * seen(np));
 }
 

@@ -51,7 +51,8 @@ struct Options : Packing_options
   bool tells_times = true; ///< in the report
   /// Called once all files are written, with their names.
   std::function<void(const Atlas::Atlas_report&, const std::vector<std::string>&)> when_written;
-  std::function<void(const std::vector<std::string>&)> before_writing; ///< may throw, so that nothing is written
+  std::function<void(const std::vector<std::string>&)>
+      before_writing; ///< may throw, so that nothing is written
 
   bool has(Bake bake) const;
   /// The meshes, for messages: their files as they were given.
