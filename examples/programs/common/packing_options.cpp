@@ -4,6 +4,7 @@
 #include "read_page_size.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <map>
 
 namespace {
@@ -104,4 +105,13 @@ void complete(Packing_options& options)
   if (!options.materials.locked.empty() && page.width != page.height)
     throw CLI::ValidationError("--lock", "charts stay where they are on square pages only");
   check(options.materials);
+}
+
+void tell_lower_density(const char* program, const Packing_options& options, double density)
+{
+  constexpr double tolerance = 1e-6;
+  if (density < options.page.density * (1 - tolerance))
+    std::fprintf(stderr,
+                 "%s: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
+                 program, options.page.density, density);
 }

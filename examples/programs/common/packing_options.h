@@ -29,4 +29,7 @@ void add_packing_options(CLI::App& app, Packing_options& options);
 /// Sets what depends on several options, and refuses what cannot be. \throw CLI::ValidationError
 void complete(Packing_options& options);
 
+/// Tells on stderr if charts have fewer texels per unit than was asked for, since one is larger than a page.
+void tell_lower_density(const char* program, const Packing_options& options, double density);
+
 #endif

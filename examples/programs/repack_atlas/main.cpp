@@ -55,12 +55,7 @@ void print(const Arguments& arguments, const Atlas::Repacked_charts& repacked,
               repacked.charts.size(), packing.number_of_pages, efficiency, packing.gutter, packing.density,
               stacked,
               certificate.is_valid() ? "valid" : ("NOT VALID: " + Atlas::message(certificate)).c_str());
-  constexpr double tolerance = 1e-6;
-  if (packing.density < arguments.page.density * (1 - tolerance))
-    std::fprintf(
-        stderr,
-        "repack_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
-        arguments.page.density, packing.density);
+  tell_lower_density("repack_atlas", arguments, packing.density);
 }
 
 /// What is wrong with the name of the file to write; empty: nothing.

@@ -99,12 +99,7 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
                    "texture_atlas: %zu faces that are to stay have no usable place in the file (no "
                    "coordinates, face down, or folded) and got another\n",
                    moved);
-  constexpr double tolerance = 1e-6;
-  if (report.density < options.page.density * (1 - tolerance))
-    std::fprintf(
-        stderr,
-        "texture_atlas: a chart at %g texels per unit is larger than a page; all charts have %g instead\n",
-        options.page.density, report.density);
+  tell_lower_density("texture_atlas", options, report.density);
   if (options.keeps_document() && report.pages > 1)
     std::fprintf(stderr,
                  "texture_atlas: of the glTF document only the triangles of its scene and the names of "
