@@ -4,6 +4,7 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/soup/internal/split_vertices.h>
+#include <Atlas/soup/internal/weld_points.h>
 #include <Atlas/soup/orient_faces.h>
 #include <Atlas/validation/certify.h>
 
@@ -47,6 +48,10 @@ void check(const Scene_mesh& mesh)
   require_size(soup.colors.size(), soup.points.size(), "colors", "vertices");
   require_size(soup.face_material.size(), soup.number_of_faces(), "materials", "faces");
   require_size(soup.face_page.size(), soup.number_of_faces(), "pages", "faces");
+  require_size(mesh.visibility.size(), soup.points.size(), "visibility", "vertices");
+  internal::require(std::all_of(mesh.visibility.begin(), mesh.visibility.end(),
+                                [](double seen) { return seen >= 0 && seen <= 1; }),
+                    "visibility", "must be in [0, 1] everywhere");
 }
 
 /// Gives edges, named by their vertices, a constraint.
@@ -68,9 +73,17 @@ void constrain(Surface& surface, std::vector<std::array<Index, 2>> edges, Edge_c
   }
 }
 
-Surface surface_of(const Scene_mesh& mesh)
+/// The vertices of a mesh, near ones at one place.
+std::vector<Point_3> welded(std::vector<Point_3> points, double tolerance)
 {
-  Surface surface = build_surface(mesh.soup.points, mesh.soup.first, mesh.soup.vertices);
+  if (tolerance > 0)
+    internal::weld_points(points, tolerance);
+  return points;
+}
+
+Surface surface_of(const Scene_mesh& mesh, std::vector<Point_3> points)
+{
+  Surface surface = build_surface(std::move(points), mesh.soup.first, mesh.soup.vertices);
   constrain(surface, mesh.forbidden_seams, Edge_constraint::no_seam);
   constrain(surface, mesh.seams, Edge_constraint::seam);
   return surface;
@@ -129,6 +142,7 @@ Atlas_status Scene::generate(const Scene_options& options, const Progress& progr
   start(options, input);
   if (options.keeps_uv)
     require_uv();
+  hide_seams_of(input.surface, options);
   std::vector<Point_2> uv;
   const Atlas_report report =
       atlas_of_soup(by_our_numbers(options), *input.soup, input.surface, uv, within_time(options, progress));
@@ -221,33 +235,70 @@ Polygon_soup Scene::textured() const
   return whole;
 }
 
+std::vector<Point_3> Scene::welded_points() const
+{
+  std::vector<Point_3> points;
+  for (const Scene_mesh& mesh : meshes_) {
+    const std::vector<Point_3> own = welded(mesh.soup.points, weld_);
+    points.insert(points.end(), own.begin(), own.end());
+  }
+  return points;
+}
+
 /// Forgets the last call, and makes one surface of all meshes.
 void Scene::start(const Scene_options& options, Input& input)
 {
   internal::require(!meshes_.empty(), "the scene", "has no meshes yet");
   internal::require(std::isfinite(options.time_limit) && options.time_limit >= 0, "time_limit",
                     "must be finite and not negative");
+  internal::require(options.weld >= 0 && options.weld <= 0.1, "weld", "must be in [0, 0.1]");
   results_ = std::make_shared<std::vector<Mesh_result>>();
   summary_ = {};
   report_ = Json();
+  weld_ = options.weld;
   is_out_of_time_ = false;
-  if (options.turns_faces)
-    for (std::size_t i = 0; i < size(); ++i) {
-      std::vector<Index> turned;
-      const std::vector<Index> now = orient_faces(meshes_[i].soup);
-      std::set_symmetric_difference(turned_faces_[i].begin(), turned_faces_[i].end(), now.begin(), now.end(),
-                                    std::back_inserter(turned));
-      turned_faces_[i] = std::move(turned);
-    }
   std::vector<Surface> surfaces;
-  for (const Scene_mesh& mesh : meshes_) {
-    surfaces.push_back(surface_of(mesh));
+  for (std::size_t i = 0; i < size(); ++i) {
+    std::vector<Point_3> points = welded(meshes_[i].soup.points, options.weld);
+    if (options.turns_faces)
+      turn_faces(i, points);
+    surfaces.push_back(surface_of(meshes_[i], std::move(points)));
     input.first_triangle.push_back(input.first_triangle.back() + surfaces.back().number_of_triangles());
   }
   input.surface = size() == 1 ? std::move(surfaces.front()) : join_surfaces(surfaces);
   input.soup = &meshes_.front().soup;
   if (size() > 1)
     join_attributes(input);
+}
+
+/// Turns faces of a mesh around, so that neighbours agree. Neighbours are those that have been welded.
+void Scene::turn_faces(std::size_t mesh, std::vector<Point_3>& welded_points)
+{
+  Polygon_soup& soup = meshes_[mesh].soup;
+  std::vector<Index>& all = turned_faces_[mesh];
+  std::swap(soup.points, welded_points);
+  const std::vector<Index> now = orient_faces(soup);
+  std::swap(soup.points, welded_points);
+  std::vector<Index> turned;
+  std::set_symmetric_difference(all.begin(), all.end(), now.begin(), now.end(), std::back_inserter(turned));
+  all = std::move(turned);
+}
+
+/// Makes seams cheap where they are hardly seen. Meshes that do not say how they are seen are seen
+/// everywhere.
+void Scene::hide_seams_of(Surface& surface, const Scene_options& options) const
+{
+  const auto has_map = [](const Scene_mesh& mesh) { return !mesh.visibility.empty(); };
+  if (std::any_of(meshes_.begin(), meshes_.end(), has_map)) {
+    std::vector<double> visibility;
+    for (const Scene_mesh& mesh : meshes_) {
+      visibility.insert(visibility.end(), mesh.visibility.begin(), mesh.visibility.end());
+      visibility.resize(visibility.size() + (has_map(mesh) ? 0 : mesh.soup.points.size()), 1);
+    }
+    hide_seams(surface, visibility);
+  }
+  if (options.hiding)
+    hide_seams(surface, *options.hiding, Execution(options.threads));
 }
 
 /// Coordinates and materials of all meshes, where any has them.
@@ -260,7 +311,8 @@ void Scene::join_attributes(Input& input) const
   const bool has_uv = has(&Polygon_soup::uv), has_materials = has(&Polygon_soup::face_material);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::size_t corners = 0, faces = 0;
-  for (const auto& [soup, seams, forbidden] : meshes_) {
+  for (const Scene_mesh& mesh : meshes_) {
+    const Polygon_soup& soup = mesh.soup;
     input.joined.uv.insert(input.joined.uv.end(), soup.uv.begin(), soup.uv.end());
     input.joined.face_material.insert(input.joined.face_material.end(), soup.face_material.begin(),
                                       soup.face_material.end());

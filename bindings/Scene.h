@@ -6,6 +6,7 @@
 #include <Atlas/core/Execution.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/report/write_report.h>
+#include <Atlas/segmentation/smooth_borders.h>
 #include <Atlas/soup/Joined_soups.h>
 #include <Atlas/soup/Polygon_soup.h>
 #include <Atlas/soup/internal/atlas_of_soup.h>
@@ -17,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 namespace Atlas::bindings {
@@ -29,6 +31,8 @@ struct Scene_options : internal::Soup_options
   std::map<Index, internal::Material_rule> rules_of_materials;
   bool turns_faces = false; ///< the faces of the scene are turned around first. \see `orient_faces()`
   double time_limit = 0;    ///< seconds; 0: none
+  double weld = 0; ///< vertices nearer than this share of their mesh's size are one; 0: only equal ones
+  std::optional<Seam_hiding> hiding; ///< who shall not see seams
 };
 
 /// A mesh of the scene. Materials are numbers of the user.
@@ -36,6 +40,8 @@ struct Scene_mesh
 {
   Polygon_soup soup;
   std::vector<std::array<Index, 2>> seams, forbidden_seams; ///< edges, by their two vertices
+  std::vector<double>
+      visibility; ///< per vertex, in [0, 1]: how much it is seen. \see `hide_seams()`; or empty
 };
 
 /// What became of a mesh.
@@ -92,6 +98,9 @@ public:
   /// All meshes as one soup with the coordinates of the atlas, those that it came with as `old_uv`.
   Polygon_soup textured() const;
 
+  /// The places of the vertices of `textured()`, as the last call has welded them.
+  std::vector<Point_3> welded_points() const;
+
 private:
   /// The meshes as one: the surface, and a soup of which only coordinates and materials are filled.
   struct Input
@@ -103,7 +112,9 @@ private:
   };
 
   void start(const Scene_options& options, Input& input);
+  void turn_faces(std::size_t mesh, std::vector<Point_3>& welded_points);
   void join_attributes(Input& input) const;
+  void hide_seams_of(Surface& surface, const Scene_options& options) const;
   internal::Soup_options by_our_numbers(const Scene_options& options) const;
   Progress within_time(const Scene_options& options, const Progress& progress);
   void require_uv() const;
@@ -116,6 +127,7 @@ private:
   std::shared_ptr<std::vector<Mesh_result>> results_ = std::make_shared<std::vector<Mesh_result>>();
   Scene_summary summary_;
   Json report_;
+  double weld_ = 0; ///< of the last call
   bool is_out_of_time_ = false;
 };
 

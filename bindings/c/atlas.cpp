@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -140,6 +141,21 @@ Page_options page_of(const atlas_options& options)
   return page;
 }
 
+std::optional<Seam_hiding> hiding_of(const atlas_options& options)
+{
+  const Vector_3 axis(options.hide_axis[0], options.hide_axis[1], options.hide_axis[2]);
+  switch (value_of<int>(options.hide_seams, ATLAS_HIDE_VIEW, "hide_seams")) {
+  case ATLAS_HIDE_OPENNESS:
+    return Seam_hiding::openness();
+  case ATLAS_HIDE_DOME:
+    return Seam_hiding::dome(axis);
+  case ATLAS_HIDE_VIEW:
+    return Seam_hiding::view(axis);
+  default:
+    return std::nullopt;
+  }
+}
+
 bindings::Scene_options scene_options(const atlas_options& options)
 {
   bindings::Scene_options result;
@@ -159,6 +175,8 @@ bindings::Scene_options scene_options(const atlas_options& options)
     result.seam_exchange_rate = options.seam_exchange_rate;
   result.min_texels_per_chart = options.min_texels_per_chart;
   result.symmetry = value_of<Symmetry>(options.symmetry, ATLAS_SYMMETRY_Z, "symmetry");
+  result.hiding = hiding_of(options);
+  result.weld = options.weld;
   result.hard_angle = options.hard_angle;
   result.separates_materials = options.separate_materials != 0;
   result.keeps_uv = options.keep_uvs != 0;
@@ -240,6 +258,8 @@ bindings::Scene_mesh scene_mesh(const atlas_mesh& mesh)
     soup.face_page.assign(mesh.face_pages, mesh.face_pages + mesh.number_of_faces);
   if (mesh.face_materials)
     soup.face_material.assign(mesh.face_materials, mesh.face_materials + mesh.number_of_faces);
+  if (mesh.visibility)
+    result.visibility.assign(mesh.visibility, mesh.visibility + mesh.number_of_vertices);
   result.seams = read_edges(mesh.seams, mesh.number_of_seams, "seams");
   result.forbidden_seams =
       read_edges(mesh.forbidden_seams, mesh.number_of_forbidden_seams, "forbidden_seams");

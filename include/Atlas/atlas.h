@@ -81,6 +81,14 @@ enum {
   ATLAS_SYMMETRY_Z = 4
 };
 
+/** From whom seams are hidden. */
+enum {
+  ATLAS_HIDE_NONE = 0,
+  ATLAS_HIDE_OPENNESS = 1, /**< from viewers all around: seams run where the model shades itself */
+  ATLAS_HIDE_DOME = 2,     /**< from viewers in the half-space towards `hide_axis` */
+  ATLAS_HIDE_VIEW = 3      /**< from viewers who look about along `hide_axis`, from its tip to the model */
+};
+
 /** How charts may turn on the page. */
 enum {
   ATLAS_ROTATION_ALIGNED = 0, /**< those with a dominant direction parallel to an axis, others as they like */
@@ -132,6 +140,7 @@ typedef struct atlas_mesh
   size_t number_of_seams;              /**< how many there are */
   const unsigned int* forbidden_seams; /**< edges that must not be seams, as far as topology allows */
   size_t number_of_forbidden_seams;    /**< how many there are */
+  const double* visibility; /**< how much each vertex is seen, in [0, 1]: seams run where it is small */
 } atlas_mesh;
 
 /** What the charts of a material may do. */
@@ -184,6 +193,10 @@ typedef struct atlas_options
   double seam_exchange_rate;   /**< charts are cut where the density rises by so much for the seam; negative:
                                   that of the mode */
   int symmetry;                /**< `ATLAS_SYMMETRY_...` */
+  int hide_seams;              /**< `ATLAS_HIDE_...`; besides, meshes may have their `visibility` */
+  double hide_axis[3];         /**< from the model to the viewers, of any length but 0 */
+  double weld; /**< vertices nearer than this share of their mesh's size are one, in [0, 0.1]; 0: only equal
+                  ones */
 } atlas_options;
 
 /** The figures of the atlas. */

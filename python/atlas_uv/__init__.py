@@ -39,6 +39,9 @@ name                      default       meaning
 ``hard_angle``            none          cut at edges sharper than so many degrees
 ``separate_materials``    False         no chart has faces of two materials
 ``keep_uv``               False         keep the shapes of the charts that the meshes' own coordinates have
+``hide_seams``            none          seams run where they are hardly seen: 'openness', 'view:AXIS', 'dome:AXIS', with an axis
+                                        as '-y' or '0,1,1'; maps of your own are `visibility` of `Atlas.add_mesh`
+``weld``                  0             vertices nearer than this share of their mesh's size are one, as 1e-5
 ``orient``                False         turn faces around first so that neighbours agree; `indices` are of turned faces
 ``texture_size``          1024          side of the page in texels, or (width, height)
 ``gutter``                2             least distance between two charts in texels; half of it to the border
@@ -71,8 +74,8 @@ from ._arrays import as_mesh, colors_of, corner_uvs, index_array, number_rows, p
 
 __version__: str = _native.__version__
 __all__ = [
-    "Atlas", "AtlasError", "AtlasWarning", "Cancelled", "Result", "bake", "fill_gutters", "pack", "parametrize",
-    "sample_page", "verify",
+    "Atlas", "AtlasError", "AtlasWarning", "Cancelled", "Result", "SeamDifference", "Source", "bake", "fill_gutters",
+    "make_seamless", "pack", "parametrize", "sample_page", "verify",
 ]
 
 #: Called with the name of a stage and the fraction of it that is done; returning False cancels.
@@ -106,6 +109,39 @@ class Result(NamedTuple):
     triangles: np.ndarray  #: T x 3 uint32: the triangles that polygons were taken for, of new vertices
     face_of_triangle: np.ndarray  #: T uint32
     turned_faces: np.ndarray  #: the faces that were turned around
+
+
+class SeamDifference(NamedTuple):
+    """How much the two sides of seams differ, all along them, in what a renderer shows of a texture.
+
+    Largest differences of a component from 0 to 255, at the mip levels 0, 1 and 2.
+    """
+
+    seams: int  #: edges whose two sides lie apart on the page
+    before: Tuple[float, float, float]
+    after: Tuple[float, float, float]
+
+
+class Source:
+    """A mesh that textures of another one are made from, such as the scan that it has been simplified from.
+
+    >>> scan = Source([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], colors=[[1, 0, 0]] * 3)
+    >>> bake([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], [[0, 0], [1, 0], [0, 1]], what="colors", source=scan, size=2)[1, 0].tolist()
+    [255, 0, 0]
+    """
+
+    def __init__(
+        self, mesh: Any, faces: Any = None, normals: Any = None, uvs: Any = None, *, uv_faces: Any = None, colors: Any = None,
+        texture: Any = None,
+    ) -> None:
+        """See `Atlas.add_mesh()`. `uvs` are those of its `texture`."""
+        m = as_mesh(mesh, faces)
+        if texture is not None and uvs is None:
+            raise ValueError("uvs are needed, the coordinates that the texture belongs to")
+        self._soup = _soup(m, corner_uvs(uvs, uv_faces, m), normals, colors_of(colors, len(m.positions)), None)
+        self._soup.become_source()
+        self._images = [] if texture is None else [_picture(texture)]
+        self._face_texture = np.zeros(m.number_of_faces, np.uint32)
 
 
 def _raise_unless_done(word: str) -> None:
@@ -149,7 +185,7 @@ class Atlas:
     def add_mesh(
         self, mesh: Any, faces: Any = None, normals: Any = None, uvs: Any = None, *, uv_faces: Any = None,
         colors: Any = None, materials: Any = None, pages: Any = None, seams: Any = None, forbidden_seams: Any = None,
-        texture: Any = None,
+        texture: Any = None, visibility: Any = None,
     ) -> int:
         """Adds a mesh and returns its number.
 
@@ -163,7 +199,8 @@ class Atlas:
         :param pages: the page of the coordinates of each face
         :param seams: edges that must be seams, pairs of vertices
         :param forbidden_seams: edges that must not be seams, as far as topology allows
-        :param texture: the picture that `uvs` are about, height x width x 3 bytes, the first row on top
+        :param texture: the picture that `uvs` are about, height x width x 3 or 4 bytes, the first row on top
+        :param visibility: how much each vertex is seen, in [0, 1]; seams run where it is small
         :raises ValueError: an array has the wrong shape, or names what does not exist
         """
         m = as_mesh(mesh, faces)
@@ -179,6 +216,7 @@ class Atlas:
             materials=per_face(materials, f, "materials"),
             seams=_edges(seams, "seams"),
             forbidden_seams=_edges(forbidden_seams, "forbidden_seams"),
+            visibility=None if visibility is None else np.ascontiguousarray(visibility, np.float64),
         )
         self._meshes.append(m)
         self._textures.append(None if texture is None else _picture(texture))
@@ -263,12 +301,16 @@ class Atlas:
         return self._scene.draw(size, page)
 
     def bake(
-        self, what: str, size: Union[int, Tuple[int, int], None] = None, page: int = 0, *, threads: int = 0, samples: int = 64
+        self, what: str, size: Union[int, Tuple[int, int], None] = None, page: int = 0, *, threads: int = 0, samples: int = 64,
+        source: Optional[Source] = None, cage: float = 0.02,
     ) -> np.ndarray:
         """A texture for a page of all meshes: see `bake()`. The size is that of the page unless given."""
         if not self._report:
             raise IndexError("there are no coordinates yet")
         summary = self.summary
+        size = size or (summary["width"], summary["height"])
+        if source is not None:
+            return _bake(self._scene.textured(), what, size, page, threads, samples, source, cage)
         used = [t for t in self._textures if t is not None]
         number = np.cumsum([t is not None for t in self._textures]) - 1
         faces = [
@@ -276,9 +318,26 @@ class Atlas:
             for m, t, n in zip(self._meshes, self._textures, number)
         ]
         return _bake(
-            self._scene.textured(), what, size or (summary["width"], summary["height"]), page, threads, samples, used,
-            np.concatenate(faces),
+            self._scene.textured(), what, size, page, threads, samples, None, cage, used, np.concatenate(faces)
         )
+
+    def make_seamless(
+        self, images: List[np.ndarray], *, tangent_normals: bool = False, threads: int = 0
+    ) -> Tuple[List[np.ndarray], SeamDifference]:
+        """Changes the pictures of all pages so that both sides of seams show the same: see `make_seamless()`.
+
+        >>> atlas = Atlas(texture_size=64, mip_levels=2)
+        >>> atlas.add_mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], colors=np.eye(4, 3))
+        0
+        >>> _ = atlas.generate()
+        >>> pages, difference = atlas.make_seamless([atlas.bake("colors")])
+        >>> difference.seams > 0, max(difference.after) <= 1
+        (True, True)
+        """
+        if not self._report:
+            raise IndexError("there are no coordinates yet")
+        soup = self._scene.textured() if tangent_normals else self._scene.welded()
+        return _make_seamless(soup, images, tangent_normals, threads)
 
 
 def parametrize(
@@ -358,11 +417,17 @@ def bake(
     positions: Any, faces: Any, uvs: Any, uv_faces: Any = None, *, what: str = "normals",
     size: Union[int, Tuple[int, int]] = 1024, pages: Any = None, page: int = 0, colors: Any = None, normals: Any = None,
     texture: Any = None, source_uvs: Any = None, source_uv_faces: Any = None, threads: int = 0, samples: int = 64,
+    source: Optional[Source] = None, cage: float = 0.02,
 ) -> np.ndarray:
-    """A texture: height x width x 3 bytes, the first row on top, gutters filled to the end of the page.
+    """A texture: height x width x 3 bytes (4, if an old one has alpha), the first row on top, gutters filled to the end of the page.
 
-    :param what: 'colors' of the vertices; 'normals', those given or smooth ones, in the space of the model; the old
-        'texture', to which `source_uvs` belong; ambient 'occlusion' (only where the module was built with CGAL's AABB tree, which is under the GPL)
+    :param what: 'colors' of the vertices; 'normals', those given or smooth ones, in the space of the model;
+        'tangent-normals', the same in the frames of MikkTSpace; the old 'texture', to which `source_uvs` belong; ambient
+        'occlusion'
+    :param source: another mesh, whose surface is shown: its colours, normals, texture or occlusion
+    :param cage: how far the source is looked for along normals, as a share of its diagonal; beyond, and for 0, at its nearest point
+
+    Occlusion and sources are there only where the module was built with CGAL's AABB tree, which is under the GPL: not by pip.
 
     >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     >>> bake(square, [[0, 1, 2, 3]], [[0, 0], [1, 0], [1, 1], [0, 1]], size=4)[0, 0].tolist()  # straight up
@@ -370,7 +435,7 @@ def bake(
     """
     m = as_mesh(positions, faces)
     n, f = len(m.positions), m.number_of_faces
-    soup = _soup(m, corner_uvs(uvs, uv_faces, m), normals, colors_of(colors, n), per_face(pages, f, "pages"))
+    soup = _soup(m, _needed_uvs(uvs, uv_faces, m), normals, colors_of(colors, n), per_face(pages, f, "pages"))
     images = []
     if texture is not None:
         old = corner_uvs(source_uvs, source_uv_faces, m, "source_uvs")
@@ -378,7 +443,31 @@ def bake(
             raise ValueError("source_uvs are needed, the coordinates that the old texture belongs to")
         soup.set_old_uv(old)
         images = [_picture(texture)]
-    return _bake(soup, what, size, page, threads, samples, images, np.zeros(f, np.uint32))
+    return _bake(soup, what, size, page, threads, samples, source, cage, images, np.zeros(f, np.uint32))
+
+
+def make_seamless(
+    positions: Any, faces: Any, uvs: Any, uv_faces: Any = None, *, images: List[np.ndarray], pages: Any = None, normals: Any = None,
+    tangent_normals: bool = False, threads: int = 0,
+) -> Tuple[List[np.ndarray], SeamDifference]:
+    """Changes textures near seams, as little as it takes, so that both sides of every seam show the same.
+
+    :param images: a picture for each page, of one size, height x width x 3 or 4 bytes, the first row on top
+    :param tangent_normals: whether the pictures show normals in tangent space
+    :returns: the new pictures, and what the sides of seams differ in: at most 1 of 255 at mip levels 0 to 2, unless what crosses
+        the seams has detail of a few texels, or gutters are narrower than ``mip_levels=2`` makes them
+
+    >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    >>> uvs = [[[.1, .1], [.4, .1], [.4, .9]], [[.6, .1], [.9, .9], [.6, .9]]]
+    >>> page = np.zeros((64, 64, 3), np.uint8)
+    >>> page[:, 32:] = 100
+    >>> pages, difference = make_seamless(square, [[0, 1, 2], [0, 2, 3]], uvs, images=[page])
+    >>> difference.seams, difference.before[0], max(difference.after) <= 1
+    (1, 100.0, True)
+    """
+    m = as_mesh(positions, faces)
+    soup = _soup(m, _needed_uvs(uvs, uv_faces, m), normals, None, per_face(pages, m.number_of_faces, "pages"))
+    return _make_seamless(soup, images, tangent_normals, threads)
 
 
 def sample_page(
@@ -399,7 +488,7 @@ def sample_page(
     [0.75, 0.75, 0.75, 0.25]
     """
     m = as_mesh(positions, faces)
-    soup = _soup(m, corner_uvs(uvs, uv_faces, m), None, None, per_face(pages, m.number_of_faces, "pages"))
+    soup = _soup(m, _needed_uvs(uvs, uv_faces, m), None, None, per_face(pages, m.number_of_faces, "pages"))
     width, height = _size(size)
     return _native.sample_page(soup, width, height, page)
 
@@ -428,8 +517,8 @@ def _edges(edges: Any, name: str) -> Optional[np.ndarray]:
 def _picture(texture: Any) -> np.ndarray:
     array = np.asarray(texture)
     if array.ndim != 3 or array.shape[2] not in (3, 4) or array.dtype != np.uint8:
-        raise ValueError("texture must be height x width x 3 bytes")
-    return np.ascontiguousarray(array[:, :, :3])
+        raise ValueError("texture must be height x width x 3 or 4 bytes")
+    return np.ascontiguousarray(array)
 
 
 def _size(size: Union[int, Tuple[int, int]]) -> Tuple[int, int]:
@@ -437,9 +526,14 @@ def _size(size: Union[int, Tuple[int, int]]) -> Tuple[int, int]:
     return int(width), int(height)
 
 
-def _soup(mesh: _Mesh, uvs: Any, normals: Any, colors: Any, pages: Any) -> Any:
-    if uvs is None:
+def _needed_uvs(uvs: Any, uv_faces: Any, mesh: _Mesh) -> np.ndarray:
+    result = corner_uvs(uvs, uv_faces, mesh)
+    if result is None:
         raise ValueError("uvs are needed")
+    return result
+
+
+def _soup(mesh: _Mesh, uvs: Any, normals: Any, colors: Any, pages: Any) -> Any:
     if len(mesh.indices) and mesh.indices.max() >= len(mesh.positions):
         raise ValueError(f"indices name vertex {mesh.indices.max()}, which is out of range")
     if normals is not None:
@@ -447,20 +541,36 @@ def _soup(mesh: _Mesh, uvs: Any, normals: Any, colors: Any, pages: Any) -> Any:
     return _native.Soup(mesh.positions, mesh.face_sizes, mesh.indices, uvs, normals, colors, pages)
 
 
+_BAKES = ("colors", "normals", "tangent-normals", "texture", "occlusion")
+
+
 def _bake(
-    soup: Any, what: str, size: Any, page: int, threads: int, samples: int, images: List[np.ndarray], face_texture: np.ndarray
+    soup: Any, what: str, size: Any, page: int, threads: int, samples: int, source: Optional[Source], cage: float,
+    images: List[np.ndarray] = [], face_texture: Optional[np.ndarray] = None,
 ) -> np.ndarray:
     width, height = _size(size)
-    if what == "colors":
-        return _native.bake_colors(soup, width, height, page)
-    if what == "normals":
-        return _native.bake_normals(soup, width, height, page, threads)
-    if what == "texture":
-        if not images:
-            raise ValueError("texture is needed, the picture to bake")
-        return _native.bake_texture(soup, width, height, page, threads, images, face_texture)
-    if what == "occlusion":
-        if not hasattr(_native, "bake_occlusion"):
-            raise NotImplementedError("this build has no ambient occlusion: it needs a part of CGAL under the GPL")
-        return _native.bake_occlusion(soup, width, height, page, threads, samples)
-    raise ValueError(f"what must be 'colors', 'normals', 'texture' or 'occlusion', but is {what!r}")
+    what = what.replace("_", "-") if isinstance(what, str) else what
+    if what not in _BAKES:
+        raise ValueError(f"what must be one of {', '.join(map(repr, _BAKES))}, but is {what!r}")
+    if (what == "occlusion" or source is not None) and not _native.has_occlusion:
+        raise NotImplementedError(
+            f"this build has no {'sources' if source is not None else 'ambient occlusion'}: it needs a part of CGAL under the GPL"
+        )
+    if source is not None:
+        images, face_texture = source._images, source._face_texture
+    if what == "texture" and not images:
+        raise ValueError("texture is needed, the picture to bake")
+    if face_texture is None:
+        face_texture = np.zeros(0, np.uint32)
+    return _native.bake(
+        soup, what, width, height, page, threads, samples, images, face_texture, None if source is None else source._soup, cage
+    )
+
+
+def _make_seamless(
+    soup: Any, images: List[np.ndarray], tangent_normals: bool, threads: int
+) -> Tuple[List[np.ndarray], SeamDifference]:
+    if isinstance(images, np.ndarray) and images.ndim == 3:
+        images = [images]
+    pages, seams, before, after = _native.make_seamless(soup, [_picture(image) for image in images], tangent_normals, threads)
+    return pages, SeamDifference(seams, tuple(before), tuple(after))

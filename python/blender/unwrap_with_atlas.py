@@ -168,6 +168,24 @@ class UV_OT_unwrap_with_atlas(bpy.types.Operator):
             ("conformal", "Conformal", "Least squares conformal maps as they are"),
         ],
     )
+    hide_seams: EnumProperty(
+        name="Hide Seams", default="none",
+        items=[
+            ("none", "No", "Seams keep to creases"),
+            ("openness", "In Cavities", "Seams run where the model shades itself"),
+            ("dome:z", "From Above", "Seams run where viewers above the ground do not see them (local Z)"),
+        ],
+    )
+    symmetry: EnumProperty(
+        name="Symmetry", default="off",
+        items=[
+            ("off", "Off", "Seams are looked for on their own"),
+            ("auto", "Auto", "Seams are mirrored where the mesh is its own mirror image"),
+            ("x", "X", "At a plane across the local X axis"),
+            ("y", "Y", "At a plane across the local Y axis"),
+            ("z", "Z", "At a plane across the local Z axis"),
+        ],
+    )
     use_seams: BoolProperty(name="Cut at Seams", default=True, description="Edges that are marked become seams")
     max_distortion: FloatProperty(
         name="Most Distortion", default=0, min=0, soft_max=3,
@@ -211,10 +229,11 @@ class UV_OT_unwrap_with_atlas(bpy.types.Operator):
     def wishes(self):
         """As atlas_uv calls them."""
         return {
-            "mode": self.mode, "max_distortion": self.max_distortion, "max_charts": self.max_charts,
+            "mode": self.mode, "symmetry": self.symmetry, "max_distortion": self.max_distortion, "max_charts": self.max_charts,
             "hard_angle": float(np.degrees(self.hard_angle)), "straighten": self.straighten,
             "texture_size": (self.width, self.height), "gutter": self.gutter, "pages": self.pages, "rotation": self.rotation,
             "stack": self.stack, "effort": self.effort, "snap": self.snap,
+            "hide_seams": None if self.hide_seams == "none" else self.hide_seams,
         }
 
     def collect(self, context):

@@ -7,8 +7,10 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/image/Image.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <pybind11/numpy.h>
@@ -74,24 +76,40 @@ py::array view(const std::vector<Value>& list, const std::shared_ptr<Owner>& own
   return result;
 }
 
-/// A picture as height x width x 3 bytes, the first row on top. No copy.
+/// A picture as height x width x 3 bytes, the first row on top; x 4 if it has alpha. No copy without alpha.
 inline py::array image_array(Image image)
 {
   const auto owner = std::make_shared<Image>(std::move(image));
   static_assert(sizeof(Color) == 3);
+  const auto height = static_cast<py::ssize_t>(owner->height), width = static_cast<py::ssize_t>(owner->width);
   const py::capsule base(new std::shared_ptr<Image>(owner),
                          [](void* p) { delete static_cast<std::shared_ptr<Image>*>(p); });
-  return py::array_t<std::uint8_t>(
-      {static_cast<py::ssize_t>(owner->height), static_cast<py::ssize_t>(owner->width), py::ssize_t(3)},
-      reinterpret_cast<const std::uint8_t*>(owner->pixels.data()), base);
+  const py::array_t<std::uint8_t> colors({height, width, py::ssize_t(3)},
+                                         reinterpret_cast<const std::uint8_t*>(owner->pixels.data()), base);
+  if (owner->alpha.empty())
+    return colors;
+  py::array_t<std::uint8_t> result({height, width, py::ssize_t(4)});
+  std::uint8_t* to = result.mutable_data();
+  for (std::size_t i = 0; i < owner->pixels.size(); ++i, to += 4) {
+    std::copy(owner->pixels[i].begin(), owner->pixels[i].end(), to);
+    to[3] = owner->alpha[i];
+  }
+  return result;
 }
 
+/// A picture of 3 or 4 bytes for each pixel; the fourth is alpha.
 inline Image image_of(const Array<std::uint8_t>& array, const char* argument)
 {
-  if (array.ndim() != 3 || array.shape(2) != 3 || array.size() == 0)
-    throw Invalid_argument(argument, "must be height x width x 3 bytes");
+  if (array.ndim() != 3 || (array.shape(2) != 3 && array.shape(2) != 4) || array.size() == 0)
+    throw Invalid_argument(argument, "must be height x width x 3 or 4 bytes");
   Image image(static_cast<std::size_t>(array.shape(1)), static_cast<std::size_t>(array.shape(0)));
-  std::memcpy(image.pixels.data(), array.data(), static_cast<std::size_t>(array.size()));
+  const std::uint8_t* from = array.data();
+  for (Color& pixel : image.pixels) {
+    std::copy_n(from, 3, pixel.begin());
+    if (array.shape(2) == 4)
+      image.alpha.push_back(from[3]);
+    from += array.shape(2);
+  }
   return image;
 }
 

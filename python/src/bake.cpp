@@ -11,6 +11,7 @@
 
 #include "arrays.h"
 #include <cstring>
+#include <functional>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -27,36 +28,11 @@ Image_size size_of(std::size_t width, std::size_t height)
   return {width, height};
 }
 
-py::array bake_colors(const Polygon_soup& soup, std::size_t width, std::size_t height, Index page)
-{
-  const Image_size size = size_of(width, height);
-  Image image;
-  {
-    const py::gil_scoped_release unlocked;
-    image = bake_vertex_colors(soup, size, page);
-  }
-  return image_array(std::move(image));
-}
-
-py::array bake_normal_map(const Polygon_soup& soup, std::size_t width, std::size_t height, Index page,
-                          unsigned threads)
-{
-  const Image_size size = size_of(width, height);
-  Image image;
-  {
-    const py::gil_scoped_release unlocked;
-    image = bake_normals(soup, size, page, Execution(threads));
-  }
-  return image_array(std::move(image));
-}
-
-/// \param images        the old textures
+/// The old textures.
 /// \param face_texture  per face: which one; `no_index`: none
-py::array bake_old_texture(const Polygon_soup& soup, std::size_t width, std::size_t height, Index page,
-                           unsigned threads, const std::vector<Array<std::uint8_t>>& images,
-                           const Array<Index>& face_texture)
+Source_textures source_textures(const std::vector<Array<std::uint8_t>>& images,
+                                const Array<Index>& face_texture)
 {
-  const Image_size size = size_of(width, height);
   Source_textures source;
   for (const auto& image : images)
     source.textures.emplace_back().image = image_of(image, "texture");
@@ -64,27 +40,120 @@ py::array bake_old_texture(const Polygon_soup& soup, std::size_t width, std::siz
   for (const Index t : source.face_texture)
     internal::require(t == no_index || t < images.size(), "face_texture",
                       "names a texture that does not exist");
+  return source;
+}
+
+Bake_shader color_of(Bake_normal normal)
+{
+  return [normal = std::move(normal)](const Bake_sample& sample) { return color_of_normal(normal(sample)); };
+}
+
+/// \brief What a page shows of a mesh, or of another mesh at the same places.
+class Page_baker
+{
+public:
+  /// \param detail  the other mesh; null: the mesh itself. Meshes and textures must outlive the baker
+  Page_baker(const Polygon_soup& soup, const Polygon_soup* detail, [[maybe_unused]] double cage,
+             Source_textures source)
+      : soup_(soup), shown_(detail ? *detail : soup), source_(std::move(source))
+  {
+    if (!detail)
+      return;
+#ifdef ATLAS_PYTHON_OCCLUSION
+    place_ = place_on(soup, *detail, cage);
+#else
+    throw Invalid_argument("source", "needs a build with a part of CGAL that is under the GPL");
+#endif
+  }
+
+  Image bake(const std::string& what, Image_size size, Index page, std::size_t samples,
+             const Execution& execution) const
+  {
+    if (what == "texture" && !place_) // with alpha
+      return transfer_texture(soup_, size, source_, page, execution);
+    return bake_texture(soup_, size, shader(what, size, samples), page, execution);
+  }
+
+private:
+  using Place = std::function<Bake_sample(const Bake_sample&)>;
+
+  Bake_shader shader(const std::string& what, Image_size size, std::size_t samples) const
+  {
+    if (what == "tangent-normals")
+      return color_of(in_tangent_space(soup_, at_place(shading_normal(shown_))));
+    return at_place(shader_of_shown(what, size, samples));
+  }
+
+  Bake_shader shader_of_shown(const std::string& what, Image_size size,
+                              [[maybe_unused]] std::size_t samples) const
+  {
+    if (what == "colors")
+      return vertex_color_shader(shown_);
+    if (what == "normals")
+      return color_of(shading_normal(shown_));
+    if (what == "texture")
+      return texture_shader(shown_, size, source_);
+#ifdef ATLAS_PYTHON_OCCLUSION
+    if (what == "occlusion")
+      return occlusion_shader(shown_, {.samples = samples});
+#endif
+    throw Invalid_argument("what", "is '" + what + "', which this build does not know");
+  }
+
+  template <typename Function>
+  Function at_place(Function function) const
+  {
+    if (!place_)
+      return function;
+    return [place = place_, function](const Bake_sample& sample) { return function(place(sample)); };
+  }
+
+  const Polygon_soup &soup_, &shown_;
+  Source_textures source_;
+  Place place_; ///< on the other mesh; empty: there is none
+};
+
+/// \param detail  the mesh that is shown; null: the soup itself. The textures are its
+py::array bake(Polygon_soup& soup, const std::string& what, std::size_t width, std::size_t height, Index page,
+               unsigned threads, std::size_t samples, const std::vector<Array<std::uint8_t>>& images,
+               const Array<Index>& face_texture, const Polygon_soup* detail, double cage)
+{
+  const Image_size size = size_of(width, height);
+  Source_textures source;
+  if (what == "texture")
+    source = source_textures(images, face_texture);
   Image image;
   {
     const py::gil_scoped_release unlocked;
-    image = transfer_texture(soup, size, source, page, Execution(threads));
+    if (what == "tangent-normals")
+      add_normals(soup);
+    const Page_baker baker(soup, detail, cage, std::move(source));
+    image = baker.bake(what, size, page, samples, Execution(threads));
   }
   return image_array(std::move(image));
 }
 
-#ifdef ATLAS_PYTHON_OCCLUSION
-py::array bake_occlusion(const Polygon_soup& soup, std::size_t width, std::size_t height, Index page,
-                         unsigned threads, std::size_t samples)
+/// The pages whose seams have been closed, and what the two sides of seams differed in before and after.
+py::tuple close_seams(Polygon_soup& soup, const std::vector<Array<std::uint8_t>>& pages, bool are_tangent,
+                      unsigned threads)
 {
-  const Image_size size = size_of(width, height);
-  Image image;
+  std::vector<Image> images;
+  for (const auto& page : pages)
+    images.push_back(image_of(page, "images"));
+  const Texel_meaning meaning = are_tangent ? Texel_meaning::tangent_normals : Texel_meaning::colors;
+  Seam_difference before, after;
   {
     const py::gil_scoped_release unlocked;
-    image = bake_ambient_occlusion(soup, size, {.samples = samples}, page, Execution(threads));
+    if (are_tangent)
+      add_normals(soup);
+    before = seam_difference(soup, images, meaning);
+    after = make_seamless(soup, images, meaning, Execution(threads));
   }
-  return image_array(std::move(image));
+  py::list result;
+  for (Image& image : images)
+    result.append(image_array(std::move(image)));
+  return py::make_tuple(result, after.seams, before.largest, after.largest);
 }
-#endif
 
 /// What each texel shows: its face or -1, the corners of its triangle, and barycentric weights.
 py::tuple sample_page(const Polygon_soup& soup, std::size_t width, std::size_t height, Index page)
@@ -136,12 +205,13 @@ py::array nearest(const py::array_t<bool, py::array::c_style | py::array::forcec
 
 void define_baking(py::module_& m)
 {
-  m.def("bake_colors", &bake_colors);
-  m.def("bake_normals", &bake_normal_map);
-  m.def("bake_texture", &bake_old_texture);
 #ifdef ATLAS_PYTHON_OCCLUSION
-  m.def("bake_occlusion", &bake_occlusion);
+  m.attr("has_occlusion") = true;
+#else
+  m.attr("has_occlusion") = false;
 #endif
+  m.def("bake", &bake);
+  m.def("make_seamless", &close_seams);
   m.def("sample_page", &sample_page);
   m.def("nearest", &nearest);
 }

@@ -11,6 +11,7 @@
 #include "bake.h"
 #include "options.h"
 #include <chrono>
+#include <cmath>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -170,10 +171,15 @@ void add_mesh(Scene& scene, const Array<double>& points, const Optional_array<In
               const Array<Index>& indices, const Optional_array<double>& uvs,
               const Optional_array<double>& normals, const Optional_array<float>& colors,
               const Optional_array<Index>& pages, const Optional_array<Index>& materials,
-              const Optional_array<Index>& seams, const Optional_array<Index>& forbidden_seams)
+              const Optional_array<Index>& seams, const Optional_array<Index>& forbidden_seams,
+              const Optional_array<double>& visibility)
 {
-  Scene_mesh mesh{make_soup(points, face_sizes, indices, uvs, normals, colors, pages), edges(seams, "seams"),
-                  edges(forbidden_seams, "forbidden_seams")};
+  Scene_mesh mesh{make_soup(points, face_sizes, indices, uvs, normals, colors, pages),
+                  edges(seams, "seams"),
+                  edges(forbidden_seams, "forbidden_seams"),
+                  {}};
+  if (visibility)
+    mesh.visibility = values<double>(*visibility, "visibility");
   if (materials)
     mesh.soup.face_material = values<Index>(*materials, "materials");
   scene.add(std::move(mesh));
@@ -258,7 +264,7 @@ void define_scene(py::module_& m)
       .def(py::init<>())
       .def("add", &add_mesh, py::arg("positions"), py::arg("face_sizes"), py::arg("indices"), py::arg("uvs"),
            py::arg("normals"), py::arg("colors"), py::arg("pages"), py::arg("materials"), py::arg("seams"),
-           py::arg("forbidden_seams"))
+           py::arg("forbidden_seams"), py::arg("visibility"))
       .def("__len__", &Scene::size)
       .def("generate", &generate, py::arg("options"), py::arg("progress"))
       .def("pack", &pack, py::arg("options"), py::arg("progress"))
@@ -267,7 +273,12 @@ void define_scene(py::module_& m)
       .def("summary", &summary)
       .def("result", &result, py::arg("mesh"), py::arg("is_owned"))
       .def("draw", &draw, py::arg("size"), py::arg("page"))
-      .def("textured", &Scene::textured);
+      .def("textured", &Scene::textured)
+      .def("welded", [](const Scene& scene) {
+        Polygon_soup soup = scene.textured();
+        soup.points = scene.welded_points();
+        return soup;
+      });
 }
 
 } // namespace
@@ -282,8 +293,14 @@ PYBIND11_MODULE(_native, m)
   py::class_<Atlas::Polygon_soup>(m, "Soup")
       .def(py::init(&make_soup), py::arg("positions"), py::arg("face_sizes"), py::arg("indices"),
            py::arg("uvs"), py::arg("normals"), py::arg("colors"), py::arg("pages"))
-      .def("set_old_uv", [](Atlas::Polygon_soup& soup, const Array<double>& uvs) {
-        soup.old_uv = rows<Atlas::Point_2, 2>(uvs, "source_uvs");
+      .def("set_old_uv",
+           [](Atlas::Polygon_soup& soup, const Array<double>& uvs) {
+             soup.old_uv = rows<Atlas::Point_2, 2>(uvs, "source_uvs");
+           })
+      .def("become_source", [](Atlas::Polygon_soup& soup) {
+        if (soup.uv.empty())
+          soup.uv.assign(soup.number_of_corners(), Atlas::Point_2(NAN, NAN));
+        soup.old_uv = soup.uv;
       });
   define_scene(m);
   define_baking(m);

@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include <Atlas/core/errors.h>
+#include <Atlas/soup/internal/viewers_of.h>
 
 #include <array>
 #include <cstdlib>
@@ -235,6 +236,12 @@ const std::map<std::string, Setter>& setters()
           choice_of<Symmetry>(name, v, {{"off", off}, {"auto", automatic}, {"x", x}, {"y", y}, {"z", z}});
     };
     all["hard_angle"] = number(&Scene_options::hard_angle);
+    all["hide_seams"] = [](Scene_options& o, const char* name, const py::handle& v) {
+      o.hiding = internal::viewers_of(value_of<std::string>(name, v, "a word"));
+      internal::require(o.hiding.has_value(), name,
+                        "must be 'openness', 'view:AXIS' or 'dome:AXIS' with an axis such as -y or 0,1,1");
+    };
+    all["weld"] = number(&Scene_options::weld);
     all["time_limit"] = number(&Scene_options::time_limit);
     all["separate_materials"] = flag(&Scene_options::separates_materials);
     all["keep_uv"] = flag(&Scene_options::keeps_uv);

@@ -58,6 +58,9 @@ def test_options_have_their_effect():
     assert charts(SQUARE, HALVES, add=dict(materials=[5, 9]), separate_materials=True) == 2
     assert charts(SQUARE, HALVES, add=dict(materials=[5, 9])) == 1
     assert charts(*box(), hard_angle=60) == 6
+    apart = SQUARE[[0, 1, 2, 0, 2, 3]] + np.array([0, 0, 0, 1, 1, 1])[:, None] * 1e-7
+    assert charts(apart, np.arange(6).reshape(2, 3)) == 2
+    assert charts(apart, np.arange(6).reshape(2, 3), weld=1e-5) == 1
     assert charts(*box(), hard_angle=60, max_charts=None) == 6
     assert charts(*box(), max_charts=1) == 1
     assert charts(*box(), mode="few_seams") <= charts(*box(), hard_angle=60)
@@ -287,6 +290,112 @@ def test_baking():
     for wrong, words in [(dict(what="colors"), "colour"), (dict(what="texture"), "texture"), (dict(what="x"), "'occlusion'")]:
         with pytest.raises(ValueError, match=words):
             atlas_uv.bake(SQUARE, HALVES, uvs, **wrong)
+
+
+def test_seams_are_hidden():
+    positions, faces = torus(32, 16)
+
+    def seams_above(axis, add={}, **options):
+        """The share of the length of seams whose middle lies on that side."""
+        atlas = atlas_uv.Atlas(threads=1, **options)
+        atlas.add_mesh(positions, faces, **add)
+        atlas.generate()
+        r = atlas.result()
+        sides = {}
+        for f, face in enumerate(faces):
+            for k in range(3):
+                a, b = face[k], face[(k + 1) % 3]
+                here = tuple(map(tuple, r.corner_uvs[f, [k, (k + 1) % 3]]))
+                sides.setdefault((min(a, b), max(a, b)), []).append(here if a < b else here[::-1])
+        cut = np.array([edge for edge, (s, t) in sides.items() if s != t])
+        length = np.linalg.norm(positions[cut[:, 0]] - positions[cut[:, 1]], axis=1)
+        return length[positions[cut].mean(1) @ axis > 0].sum() / length.sum()
+
+    up = np.array([0, 0, 1])
+    assert seams_above(up, hide_seams="dome:z") < 0.42 < 0.55 < seams_above(up, hide_seams="dome:-z")
+    assert seams_above(up, hide_seams="view:0,0,1") < 0.42
+    above = (positions[:, 2] > 0).astype(float)
+    assert seams_above(up, add=dict(visibility=above)) < 0.42 < 0.55 < seams_above(up, add=dict(visibility=1 - above))
+    for wrong in ("dome", "view:w", "openly"):
+        with pytest.raises(ValueError, match="openness"):
+            seams_above(up, hide_seams=wrong)
+    for wrong in (above[1:], above * 2):
+        with pytest.raises(ValueError, match="visibility"):
+            seams_above(up, add=dict(visibility=wrong))
+
+
+def test_alpha_goes_along():
+    uvs = SQUARE[:, :2]
+    old = np.zeros((4, 4, 4), np.uint8)
+    old[:, :2, 3] = 255
+    new = atlas_uv.bake(SQUARE, HALVES, uvs, what="texture", texture=old, source_uvs=uvs, size=4)
+    assert new.shape == (4, 4, 4) and (new[:, 0, 3] == 255).all() and (new[:, 3, 3] == 0).all()
+
+
+def test_another_mesh_is_baked():
+    # The scan lies a little above the square, is finer, and knows colours, a texture and normals.
+    n = 8
+    x, y = (a.ravel() for a in np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1)))
+    i = np.arange(n * (n + 1)).reshape(n, n + 1)[:, :n].ravel()
+    quads = np.stack([i, i + 1, i + n + 2, i + n + 1], -1)
+    scan = np.stack([x, y, np.full_like(x, 0.01)], -1)
+    tilted = np.tile([[0, 0.6, 0.8]], (len(scan), 1))
+    texture = np.zeros((16, 16, 3), np.uint8)
+    texture[:, 8:] = [200, 0, 0]
+    source = atlas_uv.Source(
+        scan, quads, tilted, scan[:, :2], colors=np.stack([x, y, 0 * x], -1), texture=texture
+    )
+    uvs = SQUARE[:, :2]
+    bake = lambda what, **more: atlas_uv.bake(SQUARE, HALVES, uvs, what=what, source=source, size=16, **more).astype(int)
+    centres = (np.arange(16) + 0.5) / 16 * 255
+    assert abs(bake("colors")[..., 0] - centres).max() <= 1.5
+    assert abs(bake("colors")[..., 1] - centres[::-1, None]).max() <= 1.5
+    assert (bake("normals") == [128, 204, 230]).all()
+    assert abs(bake("tangent-normals") - [128, 204, 230]).max() <= 1
+    assert (bake("texture")[:, 2:6, 0] == 0).all() and (bake("texture")[:, 10:14, 0] == 200).all()
+    assert (bake("colors", cage=0) == bake("colors")).all()  # the nearest points are those above
+    atlas = atlas_uv.Atlas(texture_size=32)
+    atlas.add_mesh(SQUARE, HALVES)
+    atlas.generate()
+    assert (atlas.bake("normals", source=source) == [128, 204, 230]).all()
+    with pytest.raises(ValueError, match="texture is needed"):
+        atlas.bake("texture", source=atlas_uv.Source(scan, quads))
+    with pytest.raises(ValueError, match="uvs are needed"):
+        atlas_uv.Source(scan, quads, texture=texture)
+    with pytest.raises(ValueError, match="cage"):
+        bake("colors", cage=-1)
+
+
+def test_seams_are_closed():
+    positions, faces = torus()
+    atlas = atlas_uv.Atlas(texture_size=128, mip_levels=2)
+    atlas.add_mesh(positions, faces, colors=(positions - positions.min(0)) / np.ptp(positions, 0).max())
+    atlas.generate()
+    page = atlas.bake("colors")
+    (closed,), difference = atlas.make_seamless([page])
+    assert difference.seams > 10 and max(difference.before) > 2 and max(difference.after) <= 1
+    assert closed.shape == page.shape and (closed != page).any()
+    assert abs(closed.astype(int) - page).mean() < 8
+    # By the coordinates alone it is the same; a page too few is refused.
+    uvs = atlas.result().corner_uvs
+    (again,), same = atlas_uv.make_seamless(positions, faces, uvs, images=[page])
+    assert (again == closed).all() and same == difference
+    with pytest.raises(ValueError):
+        atlas_uv.make_seamless(positions, faces, uvs, images=[])
+
+
+def test_welded_seams_are_closed():
+    # Two squares that do not quite meet: only welded they have an edge in common.
+    a = SQUARE[[0, 1, 2, 0, 2, 3]].copy()
+    a[3:] += [0, 1e-7, 0]
+    faces = np.arange(6).reshape(2, 3)
+    for weld, seams in ((1e-5, 1), (0, 0)):
+        atlas = atlas_uv.Atlas(texture_size=64, weld=weld)
+        atlas.add_mesh(a, faces, colors=[[1, 0, 0]] * 3 + [[0, 0, 1]] * 3, materials=[0, 1])
+        report = atlas.generate(separate_materials=True)
+        assert report["number_of_charts"] == 2
+        assert atlas.make_seamless([atlas.bake("colors")])[1].seams == seams
+        assert atlas.generate(separate_materials=False)["number_of_charts"] == 2 - seams
 
 
 def test_a_whole_atlas_is_baked():

@@ -212,6 +212,66 @@ TEST(atlas_h, OptionsArrive)
   EXPECT_EQ(summary_of(scene).number_of_charts, 2u);
 }
 
+/// Two triangles that do not quite meet.
+TEST(atlas_h, NearVerticesAreWelded)
+{
+  const Mesh apart = {
+      {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1e-7, 1, 1, 1e-7, 0, 1, 1e-7}, {0, 1, 2, 3, 4, 5}, {}, {}};
+  atlas_options options = defaults();
+  EXPECT_EQ(charts_of(apart, options), 2u);
+  options.weld = 1e-5;
+  EXPECT_EQ(charts_of(apart, options), 1u);
+}
+
+/// The mean height of the vertices on seams of a torus.
+double height_of_seams(const atlas_options& options, bool is_seen_above)
+{
+  constexpr unsigned int n = 24, m = 12;
+  Mesh torus;
+  std::vector<double> visibility;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < m; ++j) {
+      const double a = 2 * CGAL_PI * i / n, b = 2 * CGAL_PI * j / m, r = 2 + 0.7 * std::cos(b);
+      torus.positions.insert(torus.positions.end(), {r * std::cos(a), r * std::sin(a), 0.7 * std::sin(b)});
+      visibility.push_back(std::sin(b) > 0 ? 1 : 0);
+      const unsigned int k = (i + 1) % n, l = (j + 1) % m;
+      torus.indices.insert(torus.indices.end(), {m * i + j, m * k + j, m * k + l, m * i + l});
+      torus.sizes.push_back(4);
+    }
+  atlas_mesh mesh = torus.in_c();
+  mesh.visibility = is_seen_above ? visibility.data() : nullptr;
+  const Scene scene = scene_of({});
+  EXPECT_EQ(atlas_add_mesh(scene.get(), &mesh), ATLAS_OK);
+  EXPECT_EQ(atlas_generate(scene.get(), &options), ATLAS_OK);
+  atlas_result result;
+  ATLAS_RESULT_INIT(&result);
+  EXPECT_EQ(atlas_get_result(scene.get(), 0, &result), ATLAS_OK);
+  std::vector<int> copies(visibility.size()); // of vertices at seams there are several
+  for (std::size_t v = 0; v < result.number_of_vertices; ++v)
+    ++copies[result.vmapping[v]];
+  double sum = 0, count = 0;
+  for (std::size_t v = 0; v < copies.size(); ++v)
+    if (copies[v] > 1) {
+      sum += torus.positions[3 * v + 2];
+      ++count;
+    }
+  return sum / count;
+}
+
+TEST(atlas_h, SeamsAreHidden)
+{
+  atlas_options options = defaults();
+  options.hide_seams = ATLAS_HIDE_DOME;
+  options.hide_axis[2] = 2;
+  const double below = height_of_seams(options, false);
+  options.hide_axis[2] = -2;
+  const double above = height_of_seams(options, false);
+  EXPECT_LT(below + 0.1, above);
+  options.hide_seams = ATLAS_HIDE_VIEW;
+  EXPECT_GT(height_of_seams(options, false), below + 0.1);
+  EXPECT_LT(height_of_seams(defaults(), true) + 0.1, above) << "by a map";
+}
+
 /// A strip of 40 quadrilaterals, which alone leaves most of the page empty.
 TEST(atlas_h, ChartsAreCutForThePageUnlessThatIsForbidden)
 {
@@ -401,11 +461,15 @@ TEST(atlas_h, FaultsAreNumbersWithASentence)
                             with(&atlas_options::min_coverage, 1.0),
                             with(&atlas_options::min_texels_per_chart, -1.0),
                             with(&atlas_options::symmetry, 5),
+                            with(&atlas_options::hide_seams, 4),
+                            with(&atlas_options::hide_seams, ATLAS_HIDE_DOME), // without an axis
+                            with(&atlas_options::weld, 0.2),
                             with(&atlas_options::number_of_rules, std::size_t(1)),
                             with(&atlas_options::time_limit, -1.0)};
   const std::array words = {"mode",           "stack",      "gutter",       "width",
                             "max_distortion", "hard_angle", "min_coverage", "min_texels_per_chart",
-                            "symmetry",       "rules",      "time_limit"};
+                            "symmetry",       "hide_seams", "hide_seams",   "weld",
+                            "rules",          "time_limit"};
   for (std::size_t i = 0; i < wrong.size(); ++i)
     expect_fault(atlas_generate(scene.get(), &wrong[i]), words[i]);
   atlas_result result;

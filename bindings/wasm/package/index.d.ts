@@ -35,6 +35,9 @@ export interface Options {
   seam_exchange_rate?: number;
   hard_angle?: number;
   symmetry?: 'off' | 'auto' | 'x' | 'y' | 'z';
+  hide_seams?: 'none' | 'openness' | 'dome' | 'view';
+  hide_axis?: [number, number, number];
+  weld?: number;
   straighten?: boolean;
   separate_materials?: boolean;
   keep_uvs?: boolean;

@@ -54,10 +54,9 @@ public:
 
   void read(const std::string& name, const Json& value)
   {
-    if (!read_word(name, value) && !read_number(name, value) && name != "up" && name != "rules")
+    if (!read_word(name, value) && !read_number(name, value) && !read_direction(name, value) &&
+        name != "rules")
       throw Invalid_argument(name, "is no option");
-    if (name == "up")
-      read_up(value);
     if (name == "rules")
       read_rules(value);
   }
@@ -74,7 +73,8 @@ private:
         {"rotation", {&options_.rotation, {"aligned", "free", "any", "quarter", "none"}}},
         {"stack", {&options_.stack, {"none", "copies", "mirrored"}}},
         {"effort", {&options_.effort, {"fast", "normal", "best"}}},
-        {"symmetry", {&options_.symmetry, {"off", "auto", "x", "y", "z"}}}};
+        {"symmetry", {&options_.symmetry, {"off", "auto", "x", "y", "z"}}},
+        {"hide_seams", {&options_.hide_seams, {"none", "openness", "dome", "view"}}}};
     for (const auto& [known, option] : words)
       if (name == known) {
         *option.first = place_of(name, value, option.second);
@@ -103,7 +103,8 @@ private:
            number(name, value, "time_limit", o.time_limit) ||
            number(name, value, "min_coverage", o.min_coverage) ||
            number(name, value, "min_texels_per_chart", o.min_texels_per_chart) ||
-           number(name, value, "seam_exchange_rate", o.seam_exchange_rate);
+           number(name, value, "seam_exchange_rate", o.seam_exchange_rate) ||
+           number(name, value, "weld", o.weld);
   }
 
   template <typename Number>
@@ -115,12 +116,15 @@ private:
     return true;
   }
 
-  void read_up(const Json& value)
+  bool read_direction(const std::string& name, const Json& value)
   {
+    if (name != "up" && name != "hide_axis")
+      return false;
     if (!value.is_array() || value.size() != 3)
-      throw Invalid_argument("up", "must be three numbers");
+      throw Invalid_argument(name, "must be three numbers");
     for (std::size_t i = 0; i < 3; ++i)
-      set_number("up", value[i], options_.up[i]);
+      set_number(name, value[i], name == "up" ? options_.up[i] : options_.hide_axis[i]);
+    return true;
   }
 
   void read_rules(const Json& value)

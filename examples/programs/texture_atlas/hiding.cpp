@@ -2,6 +2,7 @@
 // From whom seams are hidden.
 #include <Atlas/core/errors.h>
 #include <Atlas/segmentation/smooth_borders.h>
+#include <Atlas/soup/internal/viewers_of.h>
 
 #include "texture_atlas.h"
 #include <algorithm>
@@ -15,48 +16,6 @@
 #include <vector>
 
 namespace {
-
-/// `x`, `-x`, `y`, ... or three numbers with commas; nothing if it is neither, or all are 0.
-std::optional<Atlas::Vector_3> axis_of(const std::string& text)
-{
-  std::array<double, 3> axis{};
-  const bool is_negative = text.starts_with('-');
-  const std::string letter = text.substr(is_negative || text.starts_with('+') ? 1 : 0);
-  if (letter == "x" || letter == "y" || letter == "z")
-    axis[static_cast<std::size_t>(letter[0] - 'x')] = is_negative ? -1 : 1;
-  else {
-    std::istringstream stream(text);
-    char comma = 0, other = 0;
-    if (!(stream >> axis[0] >> comma >> axis[1] >> other >> axis[2]) || comma != ',' || other != ',' ||
-        !(stream >> std::ws).eof())
-      return std::nullopt;
-  }
-  if (axis == std::array<double, 3>{})
-    return std::nullopt;
-  return Atlas::Vector_3(axis[0], axis[1], axis[2]);
-}
-
-/// What comes after a keyword and a colon.
-std::optional<std::string> argument_of(const std::string& text, const std::string& keyword)
-{
-  if (!text.starts_with(keyword + ':'))
-    return std::nullopt;
-  return text.substr(keyword.size() + 1);
-}
-
-/// The viewers that the text names, if it names any.
-std::optional<Atlas::Seam_hiding> viewers_of(const std::string& text)
-{
-  if (text == "openness")
-    return Atlas::Seam_hiding::openness();
-  if (const auto argument = argument_of(text, "dome"))
-    if (const auto axis = axis_of(*argument))
-      return Atlas::Seam_hiding::dome(*axis);
-  if (const auto argument = argument_of(text, "view"))
-    if (const auto axis = axis_of(*argument))
-      return Atlas::Seam_hiding::view(*axis);
-  return std::nullopt;
-}
 
 /// How much each vertex is seen: white is seen, black is not.
 std::vector<double> visibility_of_colors(const Options& options, const Atlas::Polygon_soup& model)
@@ -98,13 +57,14 @@ std::vector<double> read_visibility(const std::string& name, std::size_t vertice
 
 bool is_hiding(const std::string& text)
 {
-  return viewers_of(text) || (text != "dome" && text != "view" && !argument_of(text, "dome") &&
-                              !argument_of(text, "view") && !text.empty());
+  return Atlas::internal::viewers_of(text) ||
+         (text != "dome" && text != "view" && !Atlas::internal::argument_of(text, "dome") &&
+          !Atlas::internal::argument_of(text, "view") && !text.empty());
 }
 
 void hide_seams(const Options& options, const Atlas::Polygon_soup& model, Atlas::Surface& surface)
 {
-  if (const auto viewers = viewers_of(options.hiding))
+  if (const auto viewers = Atlas::internal::viewers_of(options.hiding))
     Atlas::hide_seams(surface, *viewers, Atlas::Execution(options.threads));
   else if (options.hiding == "colors")
     Atlas::hide_seams(surface, visibility_of_colors(options, model));
