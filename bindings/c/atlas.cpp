@@ -156,6 +156,13 @@ std::optional<Seam_hiding> hiding_of(const atlas_options& options)
   }
 }
 
+internal::Stage_names stages_of(const atlas_options& options)
+{
+  const auto name = [](const char* text) { return std::string(text ? text : ""); };
+  return {name(options.segmentation), name(options.parameterizer), name(options.solver),
+          name(options.pins),         name(options.optimizer),     name(options.packer)};
+}
+
 bindings::Scene_options scene_options(const atlas_options& options)
 {
   bindings::Scene_options result;
@@ -176,6 +183,7 @@ bindings::Scene_options scene_options(const atlas_options& options)
   result.min_texels_per_chart = options.min_texels_per_chart;
   result.symmetry = value_of<Symmetry>(options.symmetry, ATLAS_SYMMETRY_Z, "symmetry");
   result.hiding = hiding_of(options);
+  result.stages = stages_of(options);
   result.weld = options.weld;
   result.hard_angle = options.hard_angle;
   result.separates_materials = options.separate_materials != 0;

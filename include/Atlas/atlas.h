@@ -195,6 +195,13 @@ typedef struct atlas_options
   int symmetry;                /**< `ATLAS_SYMMETRY_...` */
   int hide_seams;              /**< `ATLAS_HIDE_...`; besides, meshes may have their `visibility` */
   double hide_axis[3];         /**< from the model to the viewers, of any length but 0 */
+  /** Models of stages by the names that `texture_atlas --help` lists, such as "seams"; NULL: the mode's. */
+  const char* segmentation;
+  const char* parameterizer; /**< who flattens charts, such as "lscm" or "abf" */
+  const char* solver;        /**< of the linear system of LSCM */
+  const char* pins;          /**< which two vertices LSCM pins */
+  const char* optimizer;     /**< who lowers the distortion of flattened charts */
+  const char* packer;        /**< who puts charts on pages */
   double weld; /**< vertices nearer than this share of their mesh's size are one, in [0, 0.1]; 0: only equal
                   ones */
 } atlas_options;

@@ -41,6 +41,14 @@ name                      default       meaning
 ``keep_uv``               False         keep the shapes of the charts that the meshes' own coordinates have
 ``hide_seams``            none          seams run where they are hardly seen: 'openness', 'view:AXIS', 'dome:AXIS', with an axis
                                         as '-y' or '0,1,1'; maps of your own are `visibility` of `Atlas.add_mesh`
+``segmentation``          the mode's    who makes charts, which are not merged then: 'seams' (nobody: yours alone, and what discs
+                                        need), 'features', 'normals', 'region-growing', 'variational', 'paper'
+``parameterizer``         the mode's    who flattens them: 'bijective', 'bijective-conformal', 'lscm', 'abf', 'arap', 'floater',
+                                        'harmonic', 'mean-value', 'schnyder', 'spectral', 'tutte'
+``solver``, ``pins``      the mode's    of LSCM: 'direct', 'cg', 'pcg', 'multigrid', 'out-of-core'; 'sweep', 'diameter'
+``optimizer``             the mode's    'none', 'symmetric-dirichlet', 'mips', 'stretch', 'stretch-fixed-border',
+                                        'conformal-stretch'
+``packer``                the mode's    'raster', 'horizon', 'rectangles', 'rows'
 ``weld``                  0             vertices nearer than this share of their mesh's size are one, as 1e-5
 ``orient``                False         turn faces around first so that neighbours agree; `indices` are of turned faces
 ``texture_size``          1024          side of the page in texels, or (width, height)

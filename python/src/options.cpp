@@ -236,6 +236,15 @@ const std::map<std::string, Setter>& setters()
           choice_of<Symmetry>(name, v, {{"off", off}, {"auto", automatic}, {"x", x}, {"y", y}, {"z", z}});
     };
     all["hard_angle"] = number(&Scene_options::hard_angle);
+    for (const auto& [stage, member] : {std::pair("segmentation", &internal::Stage_names::segmentation),
+                                        {"parameterizer", &internal::Stage_names::parameterizer},
+                                        {"solver", &internal::Stage_names::solver},
+                                        {"pins", &internal::Stage_names::pins},
+                                        {"optimizer", &internal::Stage_names::optimizer},
+                                        {"packer", &internal::Stage_names::packer}})
+      all[stage] = [member = member](Scene_options& o, const char* name, const py::handle& v) {
+        o.stages.*member = value_of<std::string>(name, v, "the name of a model");
+      };
     all["hide_seams"] = [](Scene_options& o, const char* name, const py::handle& v) {
       o.hiding = internal::viewers_of(value_of<std::string>(name, v, "a word"));
       internal::require(o.hiding.has_value(), name,

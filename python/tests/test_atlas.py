@@ -58,6 +58,14 @@ def test_options_have_their_effect():
     assert charts(SQUARE, HALVES, add=dict(materials=[5, 9]), separate_materials=True) == 2
     assert charts(SQUARE, HALVES, add=dict(materials=[5, 9])) == 1
     assert charts(*box(), hard_angle=60) == 6
+    assert charts(*box(), hard_angle=60, segmentation="seams", parameterizer="abf", packer="rectangles") == 6
+    assert charts(*box()) == 1 and charts(*box(), segmentation="normals") == 3
+    for wrong in (
+        dict(segmentation="none"), dict(parameterizer="abf", solver="cg"), dict(segmentation="seams", max_charts=2),
+        dict(packer=3), dict(keep_uv=True, optimizer="mips"),
+    ):
+        with pytest.raises((ValueError, TypeError)):
+            charts(*box(), add=dict(uvs=np.zeros((8, 2))), **wrong)
     apart = SQUARE[[0, 1, 2, 0, 2, 3]] + np.array([0, 0, 0, 1, 1, 1])[:, None] * 1e-7
     assert charts(apart, np.arange(6).reshape(2, 3)) == 2
     assert charts(apart, np.arange(6).reshape(2, 3), weld=1e-5) == 1

@@ -212,6 +212,20 @@ TEST(atlas_h, OptionsArrive)
   EXPECT_EQ(summary_of(scene).number_of_charts, 2u);
 }
 
+TEST(atlas_h, StagesHaveNames)
+{
+  atlas_options options = defaults();
+  EXPECT_EQ(charts_of(box(), options), 1u);
+  options.segmentation = "normals";
+  EXPECT_EQ(charts_of(box(), options), 3u);
+  options.segmentation = "seams";
+  options.hard_angle = 60;
+  options.parameterizer = "tutte";
+  options.optimizer = "none";
+  options.packer = "rows";
+  EXPECT_EQ(charts_of(box(), options), 6u);
+}
+
 /// Two triangles that do not quite meet.
 TEST(atlas_h, NearVerticesAreWelded)
 {
@@ -464,12 +478,14 @@ TEST(atlas_h, FaultsAreNumbersWithASentence)
                             with(&atlas_options::hide_seams, 4),
                             with(&atlas_options::hide_seams, ATLAS_HIDE_DOME), // without an axis
                             with(&atlas_options::weld, 0.2),
+                            with(&atlas_options::segmentation, "nobody"),
+                            with(&atlas_options::packer, "Rows"),
                             with(&atlas_options::number_of_rules, std::size_t(1)),
                             with(&atlas_options::time_limit, -1.0)};
   const std::array words = {"mode",           "stack",      "gutter",       "width",
                             "max_distortion", "hard_angle", "min_coverage", "min_texels_per_chart",
                             "symmetry",       "hide_seams", "hide_seams",   "weld",
-                            "rules",          "time_limit"};
+                            "'features'",     "'horizon'",  "rules",        "time_limit"};
   for (std::size_t i = 0; i < wrong.size(); ++i)
     expect_fault(atlas_generate(scene.get(), &wrong[i]), words[i]);
   atlas_result result;

@@ -38,6 +38,23 @@ export interface Options {
   hide_seams?: 'none' | 'openness' | 'dome' | 'view';
   hide_axis?: [number, number, number];
   weld?: number;
+  segmentation?: 'features' | 'normals' | 'paper' | 'region-growing' | 'seams' | 'variational';
+  parameterizer?:
+    | 'abf'
+    | 'arap'
+    | 'bijective'
+    | 'bijective-conformal'
+    | 'floater'
+    | 'harmonic'
+    | 'lscm'
+    | 'mean-value'
+    | 'schnyder'
+    | 'spectral'
+    | 'tutte';
+  solver?: 'cg' | 'direct' | 'multigrid' | 'out-of-core' | 'pcg';
+  pins?: 'diameter' | 'sweep';
+  optimizer?: 'conformal-stretch' | 'mips' | 'none' | 'stretch' | 'stretch-fixed-border' | 'symmetric-dirichlet';
+  packer?: 'horizon' | 'raster' | 'rectangles' | 'rows';
   straighten?: boolean;
   separate_materials?: boolean;
   keep_uvs?: boolean;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -55,7 +56,7 @@ public:
   void read(const std::string& name, const Json& value)
   {
     if (!read_word(name, value) && !read_number(name, value) && !read_direction(name, value) &&
-        name != "rules")
+        !read_stage(name, value) && name != "rules")
       throw Invalid_argument(name, "is no option");
     if (name == "rules")
       read_rules(value);
@@ -116,6 +117,24 @@ private:
     return true;
   }
 
+  bool read_stage(const std::string& name, const Json& value)
+  {
+    for (const auto& [known, member] : {std::pair("segmentation", &atlas_options::segmentation),
+                                        {"parameterizer", &atlas_options::parameterizer},
+                                        {"solver", &atlas_options::solver},
+                                        {"pins", &atlas_options::pins},
+                                        {"optimizer", &atlas_options::optimizer},
+                                        {"packer", &atlas_options::packer}})
+      if (name == known) {
+        if (!value.is_string())
+          throw Invalid_argument(name, "must be the name of a model, but is " + value.dump());
+        texts_.push_back(value.get<std::string>());
+        options_.*member = texts_.back().c_str();
+        return true;
+      }
+    return false;
+  }
+
   bool read_direction(const std::string& name, const Json& value)
   {
     if (name != "up" && name != "hide_axis")
@@ -145,6 +164,7 @@ private:
 
   atlas_options& options_;
   std::vector<atlas_material_rule> rules_;
+  std::deque<std::string> texts_; // which stay where they are
 };
 
 } // namespace Atlas::wasm

@@ -29,7 +29,7 @@ struct Options : Packing_options
   std::string output, report, picture;
   std::string mode = "standard", measure;
   Atlas::Symmetry symmetry = Atlas::Symmetry::off;
-  Stage_names stages;
+  Stage_choice stages;
   std::string seams;             ///< a file of them
   std::vector<std::string> only; ///< the materials that are unwrapped; empty: all
   std::string hiding;            ///< from whom seams are hidden

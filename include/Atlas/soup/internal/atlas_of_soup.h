@@ -13,6 +13,7 @@
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/soup/Polygon_soup.h>
 #include <Atlas/soup/internal/Material_packer.h>
+#include <Atlas/soup/internal/named_stages.h>
 
 #include <cstddef>
 #include <functional>
@@ -40,8 +41,10 @@ struct Soup_options
   bool separates_materials = false;              ///< no chart has faces of two materials
   Page_options page;
   Packing_effort effort = Packing_effort::fast; ///< of `Raster_packer`
-  std::optional<Policies> policies;             ///< none: those of the mode, with the effort
-  std::vector<Material_rule> rules;             ///< per material of the soup, or empty
+  Stage_names stages;                           ///< stages whose models are not those of the mode
+  std::optional<Policies>
+      policies; ///< none: those of the mode, with the effort and the stages that are named
+  std::vector<Material_rule> rules; ///< per material of the soup, or empty
   unsigned threads = 0;
 };
 

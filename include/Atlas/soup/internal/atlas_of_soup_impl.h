@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 
 namespace Atlas::internal {
 
@@ -53,29 +54,54 @@ ATLAS_INLINE Merge_options merge_options_of(const Soup_options& options)
   return merge;
 }
 
-/// The policies that are given, or those of the mode.
+/// Refuses wishes for merging where charts are not merged.
+inline void require_nothing_to_merge(const Soup_options& options, const char* argument,
+                                     const std::string& value)
+{
+  const bool has_wish = options.measure || options.max_distortion != 0 || options.max_stretch != 0 ||
+                        options.max_charts != 0 || options.min_chart_texels != 0 ||
+                        options.symmetry != Symmetry::off;
+  if (has_wish)
+    throw Invalid_argument(argument,
+                           value + " merges no charts: measure, max_distortion, max_stretch, max_charts, "
+                                   "min_chart_texels and symmetry have no meaning");
+}
+
+/// Refuses stages that cannot be, or that are not asked where charts keep their shapes.
+inline void check_stages(const Soup_options& options)
+{
+  check(options.stages);
+  if (!options.stages.segmentation.empty())
+    require_nothing_to_merge(options, "segmentation", '\'' + options.stages.segmentation + '\'');
+  Stage_names but_packer = options.stages;
+  but_packer.packer.clear();
+  require(
+      !options.keeps_uv || !but_packer.any(), "keep_uv",
+      "keeps charts as they are: segmentation, parameterizer, solver, pins and optimizer have no meaning");
+}
+
+/// The policies that are given, or those of the mode with the stages that are named.
 inline Policies policies_of(const Soup_options& options)
 {
   if (options.policies)
     return *options.policies;
-  if (options.mode == Atlas_mode::paper) {
-    require(!options.measure && options.max_distortion == 0 && options.max_stretch == 0 &&
-                options.max_charts == 0 && options.min_chart_texels == 0 && options.symmetry == Symmetry::off,
-            "mode",
-            "paper merges no charts: measure, max_distortion, max_stretch, max_charts, min_chart_texels "
-            "and symmetry have no meaning");
-    return paper_preset(Exact_validator(default_max_area_ratio, 0));
-  }
-  Policies policies = preset(options.mode, merge_options_of(options), options.symmetry);
-  policies.packer = Raster_packer(options.effort);
+  check_stages(options);
+  const bool is_paper = options.mode == Atlas_mode::paper;
+  if (is_paper)
+    require_nothing_to_merge(options, "mode", "paper");
+  Policies policies = is_paper ? paper_preset(Exact_validator(default_max_area_ratio, 0))
+                               : preset(options.mode, merge_options_of(options), options.symmetry);
+  set_stages(options.stages, options.mode, options.effort, policies);
   return policies;
 }
 
-/// Who wants few, large or mirrored charts gets them as they are, unless he says so.
+/// Who wants few, large or mirrored charts, or says how they are made, gets them as they are, unless he says
+/// so.
 inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
 {
   if (!options.seam_exchange_rate &&
-      (options.max_charts > 0 || options.min_chart_texels > 0 || options.symmetry != Symmetry::off))
+      (options.max_charts > 0 || options.min_chart_texels > 0 || options.symmetry != Symmetry::off ||
+       !options.stages.segmentation.empty()))
     return 0;
   return options.seam_exchange_rate;
 }
