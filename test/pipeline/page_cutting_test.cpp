@@ -4,6 +4,7 @@
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 
+#include "segmentation_shapes.h"
 #include "test_meshes.h"
 #include <algorithm>
 #include <array>
@@ -124,21 +125,54 @@ TEST(SeamExchangeRate, AStripThatSetsTheDensityIsCut)
   EXPECT_EQ(atlas_of(strip, np.seam_exchange_rate(1e6)).report.charts.size(), 1u);
 }
 
-/// A frame fills two thirds of its square.
-TEST(SeamExchangeRate, PagesThatAreFullEnoughStayButForARateOfOnesOwn)
+/// Frames of two widths fill four fifths and two thirds of their squares.
+TEST(SeamExchangeRate, FramesStayWholeButForARateOfOnesOwn)
 {
-  const Surface surface =
-      surface_of(squares(14, 14, [](int x, int y) { return x < 3 || x > 10 || y < 3 || y > 10; }));
-  const auto np = parameters::texture_size(256);
-  const auto report_of = [&](const auto& wish) {
+  const auto report_of = [](int width, const auto& wish) {
+    const auto is_in = [width](int x, int y) { return std::min({x, y, 13 - x, 13 - y}) < width; };
     std::vector<Point_2> uv;
-    return generate_atlas(surface, uv, wish);
+    return generate_atlas(surface_of(squares(14, 14, is_in)), uv, wish);
   };
-  const Atlas_report usual = report_of(np);
-  ASSERT_TRUE(usual.is_valid());
-  EXPECT_GT(usual.packing_efficiency, default_full_coverage);
+  const auto np = parameters::texture_size(256);
+  const Atlas_report full = report_of(4, np), usual = report_of(3, np);
+  ASSERT_TRUE(full.is_valid() && usual.is_valid());
+  EXPECT_GT(full.packing_efficiency, default_full_coverage);
+  EXPECT_LT(usual.packing_efficiency, default_full_coverage);
+  EXPECT_EQ(full.pieces_cut_for_pages, 0u);
   EXPECT_EQ(usual.pieces_cut_for_pages, 0u);
-  EXPECT_GT(report_of(np.seam_exchange_rate(0.1)).pieces_cut_for_pages, 3u);
+  EXPECT_GT(report_of(3, np.seam_exchange_rate(0.1)).pieces_cut_for_pages, 3u);
+}
+
+/// The sides of these cylinders are strips of two to three squares, which leave half of a page empty.
+TEST(SeamExchangeRate, RatherEmptyPagesAreFilledIfThatPays)
+{
+  for (const double height : {2.0, 2.5}) {
+    const Surface cylinder = surface_of(lathe({{0, 0}, {1, 0}, {1, height}, {0, height}}, 32, 4));
+    const auto report_of = [&](const auto& wish) {
+      std::vector<Point_2> uv;
+      return generate_atlas(cylinder, uv, wish);
+    };
+    const auto np = parameters::texture_size(256);
+    const Atlas_report never = report_of(np.seam_exchange_rate(0)), usual = report_of(np);
+    ASSERT_TRUE(never.is_valid() && usual.is_valid());
+    EXPECT_LT(never.packing_efficiency, default_empty_coverage);
+    EXPECT_GE(usual.packing_efficiency, default_empty_coverage - 1e-3) << "but for rounding";
+    EXPECT_GT(usual.seam_length, never.seam_length);
+    EXPECT_LE(usual.seam_length, (1 + default_added_seam_of_empty_pages) * never.seam_length);
+    const double added = usual.seam_length / never.seam_length - 1;
+    EXPECT_GE(usual.density, (1 + seam_exchange_rate(Atlas_mode::standard) * added) * never.density);
+    EXPECT_EQ(usual.coverage_outcome, Coverage_outcome::not_asked_for);
+  }
+}
+
+/// A rectangle has no seam within: any cut would be more than the share of it that an empty page is worth.
+TEST(SeamExchangeRate, WhatHasNoSeamsStaysWholeOnAnEmptyPage)
+{
+  const Surface surface = surface_of(squares(20, 10, [](int, int) { return true; }));
+  const Result usual = atlas_of(surface, parameters::texture_size(256));
+  ASSERT_TRUE(usual.report.is_valid());
+  EXPECT_LT(usual.report.packing_efficiency, default_empty_coverage);
+  EXPECT_EQ(usual.report.charts.size(), 1u);
 }
 
 TEST(Density, ChartsLargerThanThePageAreCut)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,6 +33,12 @@ struct Cut_charts
 class Coverage_search
 {
 public:
+  /// What a search may cost.
+  struct Limits
+  {
+    int packings = most_packings, retractions = most_retractions; ///< on the way up, and on the way back
+    double added_length = std::numeric_limits<double>::infinity();
+  };
   /// Packings at most: on the way up, and on the way back.
   static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
 
@@ -43,11 +50,11 @@ public:
   /// \param wanted    larger than that
   /// \return the charts with the least added seam that reach it, or else those that cover most; none if that
   /// is what there was
-  std::optional<Cut_charts> reach(double coverage, double wanted)
+  std::optional<Cut_charts> reach(double coverage, double wanted, const Limits& limits)
   {
     double most = coverage, room = forest_.room();
     std::size_t enough = 0, few = 0;
-    for (int i = 0; i < most_packings && most < wanted; ++i) {
+    for (int i = 0; i < limits.packings && most < wanted; ++i) {
       // The room that charts need times what of it is covered hardly changes by few cuts.
       const double goal = room * coverage / wanted;
       few = number_of_cuts_;
@@ -62,12 +69,14 @@ public:
         is_exhausted_ = true;
         break;
       }
+      if (forest_.added_length() > limits.added_length)
+        break;
       room = forest_.room();
       coverage = try_now(most, wanted);
       enough = number_of_cuts_;
     }
     if (most >= wanted)
-      take_back(few, enough, wanted);
+      take_back(few, enough, wanted, limits.retractions);
     return std::move(best_);
   }
 
@@ -113,7 +122,7 @@ public:
 
 private:
   /// Cuts that raise the density by less may as well owe it to luck.
-  static constexpr double least_gain = 0.01;
+  static constexpr double least_gain = 0.005;
 
   Cut_charts packed_now()
   {
@@ -136,7 +145,7 @@ private:
   }
 
   /// Cuts are numbered in the order in which they were made: `few` are not enough, `enough` are.
-  void take_back(std::size_t few, std::size_t enough, double wanted)
+  void take_back(std::size_t few, std::size_t enough, double wanted, int retractions)
   {
     double most = wanted;
     std::vector<Index> order = forest_.cuts();
@@ -153,7 +162,7 @@ private:
     }
     set_number(enough);
     const std::vector<Index> last = forest_.last_cuts();
-    for (std::size_t i = 0; i < last.size() && i < most_retractions; ++i) {
+    for (int i = 0; i < std::min(retractions, static_cast<int>(last.size())); ++i) {
       forest_.set_cut(last[i], false);
       if (try_now(most, wanted) < wanted)
         forest_.set_cut(last[i], true);

@@ -32,7 +32,10 @@ struct Cut_trade
   double most_added_seam = std::numeric_limits<double>::infinity();
   /// Whether charts are cut that are larger than a page at the density asked for.
   bool is_for_density = false;
-  double full_coverage = 1; ///< from which on pages are full enough
+  double full_coverage = 1;  ///< from which on pages are full enough
+  double empty_coverage = 0; ///< below which pages are rather empty
+  /// Cuts that end that may add so much to the seams within the surface, relative, if they pay.
+  double most_added_when_empty = 0;
 };
 
 /// \brief Flattened charts that are cut one after the other, so that they need less room on a page.

@@ -7,6 +7,7 @@
 #include <Atlas/measure/distortion.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Coverage_search.h>
+#include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,13 +58,12 @@ public:
     const bool is_full = coverage >= (is_asked ? wanted : trade_.full_coverage);
     if (packed.packing.number_of_pages == 0 || is_full || !(is_asked || trade_.rate > 0))
       return std::nullopt;
-    const Room_estimate room = room_on_pages(is_asked ? wanted : std::max(coverage, usual_coverage));
+    if (!is_asked)
+      return trade(segmentation, charts, coverage);
     const double seam = half_of_borders(charts);
-    Cut_forest forest(surface_, segmentation, charts, room, execution_,
-                      is_asked ? std::nullopt : std::optional(trade_), seam);
-    Coverage_search search = search_in(std::move(forest));
-    std::optional<Cut_charts> cut =
-        is_asked ? search.reach(coverage, wanted) : search.trade(coverage, seam, trade_.rate);
+    Coverage_search search = search_in(
+        Cut_forest(surface_, segmentation, charts, room_on_pages(wanted), execution_, std::nullopt, seam));
+    std::optional<Cut_charts> cut = search.reach(coverage, wanted, {});
     is_exhausted_ = search.is_exhausted();
     return cut;
   }
@@ -72,6 +72,8 @@ public:
   bool is_exhausted() const { return is_exhausted_; }
 
 private:
+  /// What of a search for an asked coverage is done where none is asked for.
+  static constexpr int packings_of_trade = 6, retractions_of_trade = 3;
   /// What the density may lose by rounding.
   static constexpr double density_lost = 1e-9;
 
@@ -82,6 +84,42 @@ private:
               packing_.pack(result, page_);
               return result;
             }};
+  }
+
+  /// Makes the cuts that are worth it: first those within the budget of added seam; then, on pages that are
+  /// still rather empty, others too.
+  std::optional<Cut_charts> trade(const Segmentation& segmentation,
+                                  const std::vector<Flattened_chart>& charts, double coverage) const
+  {
+    const double seam = half_of_borders(charts);
+    const Room_estimate room = room_on_pages(std::max(coverage, usual_coverage));
+    std::optional<Cut_charts> cut =
+        search_in(Cut_forest(surface_, segmentation, charts, room, execution_, trade_, seam))
+            .trade(coverage, seam, trade_.rate);
+    const double now = cut ? cut->packed.coverage : coverage;
+    if (now >= trade_.empty_coverage || execution_.is_cancelled())
+      return cut;
+    std::optional<Cut_charts> more =
+        cut ? fill(cut->segmentation, cut->flattened, now) : fill(segmentation, charts, now);
+    return more ? std::move(more) : std::move(cut);
+  }
+
+  /// Cuts charts until pages are no longer rather empty, if that is worth it. Few charts leave room that no
+  /// estimate foresees, so they are packed again and again.
+  std::optional<Cut_charts> fill(const Segmentation& segmentation, const std::vector<Flattened_chart>& charts,
+                                 double coverage) const
+  {
+    const double seam = half_of_borders(charts), wanted = trade_.empty_coverage;
+    const double most_added = trade_.most_added_when_empty * (seam - half_of_surface_borders());
+    Coverage_search search = search_in(Cut_forest(
+        surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
+    std::optional<Cut_charts> cut =
+        search.reach(coverage, wanted, {packings_of_trade, retractions_of_trade, most_added});
+    if (!cut || cut->packed.coverage < wanted)
+      return std::nullopt;
+    const double added = half_of_borders(cut->flattened) - seam;
+    const double gain = std::sqrt(cut->packed.coverage / coverage) - 1;
+    return added <= most_added && gain >= trade_.rate * added / seam ? std::move(cut) : std::nullopt;
   }
 
   /// Cuts charts that are larger than a page at the density that is asked for.
@@ -108,6 +146,15 @@ private:
           length += std::sqrt(CGAL::squared_distance(f.chart.points[f.chart.triangles[h / 3][h % 3]],
                                                      f.chart.points[f.chart.triangles[h / 3][(h + 1) % 3]]));
     }
+    return length / 2;
+  }
+
+  double half_of_surface_borders() const
+  {
+    double length = 0;
+    for (Index h = 0; h < surface_.opposite.size(); ++h)
+      if (surface_.opposite[h] == no_index)
+        length += edge_length(surface_, h);
     return length / 2;
   }
 

@@ -102,8 +102,12 @@ inline Cut_trade cut_trade(const Atlas_request& request)
   if (has_lists || is_own || merging.max_charts > 0 || merging.min_chart_area > 0 ||
       request.symmetry != Symmetry::off)
     return {};
-  return {seam_exchange_rate(request.mode), default_added_seam, request.mode != Atlas_mode::paper,
-          default_full_coverage};
+  return {seam_exchange_rate(request.mode),
+          default_added_seam,
+          request.mode != Atlas_mode::paper,
+          default_full_coverage,
+          default_empty_coverage,
+          default_added_seam_of_empty_pages};
 }
 
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
