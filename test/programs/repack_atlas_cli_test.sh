@@ -45,6 +45,10 @@ for stack in copies mirrored; do
   expect_match 0 'charts=5 .*stacked=[1-4] valid' piled.obj -o out.obj --texture-size 64 --stack $stack --effort fast
   awk -F'efficiency=' '{ exit !($2 + 0 > 0 && $2 + 0 <= 1) }' stdout || fail "stacked charts count twice: $(cat stdout)"
 done
+# Charts that lie face down are mirror images of those that do not, of which they may cover the place.
+(grep -v '^f ' piled.obj; printf 'vt 0.1 0.1\nvt 0.2 0.1\nvt 0.1 0.3\nf 1/1 2/2 3/3 4/4\nf 6/2 5/1 8/4 7/3\nf 9/5 10/6 11/7\nf 14/5 13/7 15/6\n') >facing.obj
+expect_match 0 'charts=4 .*stacked=0 valid' facing.obj -o out.obj --texture-size 64 --stack copies --effort fast
+expect_match 0 'charts=4 .*stacked=2 valid' facing.obj -o out.obj --texture-size 64 --stack mirrored --effort fast
 expect_match 0 'stacked=0 valid' piled.obj -o out.obj --texture-size 64 --effort fast
 expect_match 1 'NOT VALID' folded.obj -o out.obj --texture-size 64 --stack copies --effort fast
 expect_match 2 'cannot write' piled.obj -o no/such/folder.obj
@@ -84,6 +88,42 @@ expect_match 2 "no material called 'none'" materials.obj -o out.obj --lock none
 expect_match 2 'square' materials.obj -o out.obj --lock a --texture-size 64x32
 sed 's/^vt 1.6 /vt 91.6 /; s/^vt 1.7 /vt 91.7 /' apart.obj >far.obj
 expect_match 2 'outside of the tiles' far.obj -o out.obj --lock b=c
+# Sixteen squares of a sheet, each a chart; the picture is one of 8 x 8 pixels.
+python3 - <<'MESH'
+import struct, zlib
+with open("sheet.obj", "w") as out:
+    out.write("mtllib sheet.mtl\nusemtl m\n")
+    for y in range(5):
+        for x in range(5):
+            out.write(f"v {x} {y} 0\n")
+    for f in range(16):
+        x, y = f % 4, f // 4
+        u, v = (3 - y) / 4, (3 - x) / 4  # not in the order of the sheet
+        for du, dv in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            out.write(f"vt {u + 0.05 + 0.15 * du} {v + 0.05 + 0.15 * dv}\n")
+        a = y * 5 + x + 1
+        out.write(f"f {a}/{4 * f + 1} {a + 1}/{4 * f + 2} {a + 6}/{4 * f + 3} {a + 5}/{4 * f + 4}\n")
+open("sheet.mtl", "w").write("newmtl m\nmap_Kd sheet.png\n")
+rows = b"".join(b"\0" + b"\xff\0\0" * 4 + b"\0\0\xff" * 4 for _ in range(8))
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+open("sheet.png", "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 8, 8, 8, 2, 0, 0, 0)) +
+                              chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+MESH
+expect_match 0 '^charts=1 before=16 pages=1 .* valid$' sheet.obj -o merged.obj --defragment --texture-size 128
+valid merged.obj --texture-size 128 --gutter 2
+grep -q 'map_Kd merged_texture.png' merged.mtl && [ -s merged_texture.png ] || fail "the texture stays behind"
+grep -q '^usemtl m' merged.obj || fail "the material is lost"
+expect_match 0 '^charts=1 before=16' sheet.obj -o merged.obj --defragment --threads 1 --gutter 0
+[ "$(od -A n -t u1 -j 19 -N 1 merged_texture.png | tr -d ' ')" = 8 ] || fail "another size than that of the picture"
+rm merged*
+# Without a picture there is none; what does not hang together does not merge.
+expect_match 0 '^charts=5 before=5 .* valid$' piled.obj -o merged.obj --defragment --texture-size 64
+[ "$(ls merged*)" = merged.obj ] || fail "a picture of nothing: $(ls merged*)"
+expect_match 2 'max-stretch' sheet.obj -o merged.obj --max-stretch 2
+expect_match 2 'max-distortion' sheet.obj -o merged.obj --defragment --max-distortion 0.5
+expect_match 2 'texture' sheet.obj -o merged.obj --defragment --texture a.png
+expect_match 2 'no texture coordinates' bare.obj -o out.obj --defragment
 expect_match 2 'no texture coordinates' bare.obj -o out.obj
 expect_match 2 'missing.obj' missing.obj -o out.obj
 expect_match 2 'broken.glb' broken.glb -o out.obj

@@ -120,6 +120,15 @@ for option in '--mode standard' '--max-distortion 1.2' '--max-charts 2' '--min-c
   expect 2 1 out/a.obj -o out/b.obj --keep-uv $option
   grep -q -e "--keep-uv: .*${option%% *}.*leave out" stderr || fail "--keep-uv does not refuse $option: $(cat stderr)"
 done
+# Faces that are charts of their own become one again, but not beyond a bound.
+expect 3 1 cube.obj -o out/b.obj --defragment
+expect 0 0 out/a.obj -o out/b.obj --defragment --texture-size 256
+[ "$(charts)" -le 3 ] || fail "charts that were to merge: $(charts)"
+expect 0 0 out/a.obj -o out/b.obj --defragment --hard-angle 60
+[ "$(charts)" -eq 6 ] || fail "seams that were asked for: $(charts)"
+for option in --keep-uv '--symmetry x' --straighten '--mode paper' '--parameterizer lscm' '--only m'; do
+  expect 2 1 out/a.obj -o out/b.obj --defragment $option
+done
 rm out/*
 
 # What the charts of materials may do: six squares on a page, of two materials.
@@ -364,7 +373,7 @@ expect 2 1 cube.obj --min-coverage 0.8 --density 9 -o out/a.obj
 expect 0 0 --help
 for option in MESH --output --mode --max-distortion --measure --max-charts --min-chart-texels --hard-angle --separate-materials \
   --min-coverage --seam-exchange-rate --min-texels-per-chart \
-  --keep-uv --texture-size --gutter --pages --density --effort --rotation --up --snap --mip-levels --block --stack --weight --group --lock --report --threads \
+  --keep-uv --defragment --texture-size --gutter --pages --density --effort --rotation --up --snap --mip-levels --block --stack --weight --group --lock --report --threads \
   --pictures --picture --bake --quiet; do
   grep -q -e "$option" stdout || fail "--help does not explain $option"
 done

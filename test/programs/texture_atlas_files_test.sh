@@ -84,6 +84,11 @@ make 0 2 lib.obj -o a.obj --bake texture
 grep -q "no material library 'none.mtl'" stderr && grep -q "no picture 'gone.png'" stderr || fail "what is missing: $(cat stderr)"
 case $(colors a_texture.png) in *'(0, 0, 255)'*'(0, 255, 0)'*'(255, 0, 0)'*) ;; *) fail "colours: $(colors a_texture.png)" ;; esac
 make 0 0 lib.obj -o a.obj --bake texture --quiet
+sed 's/ A_LIB.mtl//' lib.obj >lost.obj # nothing is left to show: grey, but an atlas all the same
+make 0 1 lost.obj -o a.obj --bake texture
+grep -q "no material library 'none.mtl'" stderr && [ "$(colors a_texture.png)" = "(128, 128, 128)" ] || fail "a lost library: $(cat stderr) $(colors a_texture.png)"
+sed '/mtllib/d' lib.obj >without.obj
+make 3 1 without.obj -o a.obj --bake texture
 
 # Alpha goes along, into the material too. After a bake a glTF file has no colours of vertices.
 picture '255 255 255 0' leaf.png

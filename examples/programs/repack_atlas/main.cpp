@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Packs the texture coordinates of a mesh file anew, whoever made them; the shapes of the charts stay as they
-// are.
+// are, unless charts are to merge.
 #include <Atlas/IO/read_polygon_soup.h>
 #include <Atlas/IO/write_model.h>
 #include <Atlas/core/build_surface.h>
@@ -9,7 +9,7 @@
 #include <Atlas/soup/internal/atlas_of_soup.h>
 #include <Atlas/validation/certify.h>
 
-#include "packing_options.h"
+#include "repack_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
@@ -22,14 +22,6 @@
 #include <vector>
 
 namespace {
-
-enum Exit_code { VALID = 0, NOT_VALID = 1, COULD_NOT_TELL = 2 };
-
-struct Arguments : Packing_options
-{
-  std::string file, output, texture;
-  unsigned threads = 0;
-};
 
 /// Per face its page, where each layer of charts that are copies of those below is a page of its own: these
 /// lie on each other as they should.
@@ -66,14 +58,9 @@ std::string fault_of_output(const std::string& name)
   return is_obj ? std::string() : "repack_atlas writes OBJ files: the name must end in .obj";
 }
 
-int run(const Arguments& arguments)
+int repack(const Arguments& arguments, Atlas::Polygon_soup soup, Atlas::Surface& surface,
+           const Atlas::Execution& execution)
 {
-  Atlas::internal::check_can_write(arguments.output);
-  const Atlas::Execution execution(arguments.threads);
-  Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
-  if (soup.uv.empty())
-    throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
-  Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
   Atlas::internal::Soup_options wishes;
   wishes.page = arguments.page;
   wishes.effort = arguments.effort;
@@ -96,9 +83,22 @@ int run(const Arguments& arguments)
   else
     Atlas::write_obj(arguments.output, soup, arguments.texture);
   print(arguments, repacked, certificate);
+  return certificate.is_valid() ? VALID : NOT_VALID;
+}
+
+int run(const Arguments& arguments)
+{
+  Atlas::internal::check_can_write(arguments.output);
+  const Atlas::Execution execution(arguments.threads);
+  Atlas::Polygon_soup soup = Atlas::read_polygon_soup(arguments.file);
+  if (soup.uv.empty())
+    throw Atlas::IO_error(arguments.file + ": there are no texture coordinates in this file");
+  Atlas::Surface surface = Atlas::build_surface(soup.points, soup.first, soup.vertices);
+  const int code = arguments.merges ? defragment(arguments, std::move(soup), surface, execution)
+                                    : repack(arguments, std::move(soup), surface, execution);
   if (std::fflush(stdout) != 0)
     throw Atlas::IO_error("cannot write the report: standard output is closed or full");
-  return certificate.is_valid() ? VALID : NOT_VALID;
+  return code;
 }
 
 void add_options(CLI::App& app, Arguments& arguments)
@@ -110,7 +110,25 @@ void add_options(CLI::App& app, Arguments& arguments)
       ->check(fault_of_output);
   arguments.effort = Atlas::Packing_effort::normal;
   add_packing_options(app, arguments);
-  app.add_option("--texture", arguments.texture, "Name of a picture for the materials of an MTL file");
+  CLI::Option* texture =
+      app.add_option("--texture", arguments.texture, "Name of a picture for the materials of an MTL file");
+  CLI::Option* merge =
+      app.add_flag("--defragment", arguments.merges,
+                   "Merge charts where the union can be flattened within the bounds below; all others keep "
+                   "their shapes. The texture moves along, to OUT_texture.png and OUT.mtl. Without "
+                   "--texture-size the page has as many texels as the pictures have, or more")
+          ->excludes(texture);
+  app.add_option(
+         "--max-distortion", arguments.max_distortion,
+         "Charts merge while their mean symmetric Dirichlet energy (1 is isometric) stays below this. "
+         "Default: 1.035")
+      ->check(CLI::Range(1.0, 1e6))
+      ->needs(merge);
+  app.add_option("--max-stretch", arguments.max_stretch,
+                 "Besides, no length on 99 % of such a chart is stretched or shrunk by more than this "
+                 "factor. Default: 1.5")
+      ->check(CLI::Range(1.0, 1e6))
+      ->needs(merge);
   app.add_option("--threads", arguments.threads, "Number of threads; 0 takes all cores")
       ->capture_default_str();
 }
@@ -120,12 +138,14 @@ void add_options(CLI::App& app, Arguments& arguments)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  CLI::App app("Packs the texture coordinates of a mesh file anew; the shapes of charts stay as they are.\n"
+  CLI::App app("Packs the texture coordinates of a mesh file anew; the shapes of charts stay as they are, or "
+               "charts merge.\n"
                "Exit code: 0 valid, 1 not valid (folded charts, charts on top of each other), 2 no result.");
   add_options(app, arguments);
   try {
     app.parse(argc, argv);
     complete(arguments);
+    arguments.has_size = app.count("--texture-size") > 0;
     return run(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? VALID : COULD_NOT_TELL;

@@ -135,6 +135,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.symmetry = options.symmetry;
   wishes.hard_angle = options.hard_angle;
   wishes.keeps_uv = options.keeps_uv;
+  wishes.merges_uv = options.merges_uv;
   wishes.separates_materials = options.separates_materials;
   wishes.policies =
       policies_of(options.stages, wishes.mode, merge_options_of(wishes), wishes.symmetry, options.effort);

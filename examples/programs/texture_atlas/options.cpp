@@ -137,6 +137,11 @@ void add_input_options(CLI::App& app, Options& options)
       "--keep-uv", options.keeps_uv,
       "Keep the shapes of the charts that the file has, and split only those that are not one-to-one; "
       "faces without coordinates are flattened. Does not go with options that tell what charts are like");
+  app.add_flag(
+         "--defragment", options.merges_uv,
+         "Merge the charts that the file has where the union can be flattened within --max-distortion and "
+         "--max-stretch; all others keep their shapes. With --bake texture the texture moves along")
+      ->excludes("--keep-uv");
   app.add_option(
          "--only", options.only,
          "MATERIAL: unwrap its faces anew, and pack them around the charts of all others, which stay where "
@@ -244,11 +249,17 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
       throw CLI::ValidationError(named, why);
   };
   if (!options.only.empty())
-    for (const char* name : {"--keep-uv", "--group", "--lock", "--weight", "--seams", "--hide-seams",
-                             "--separate-materials", "--free-aspect", "--min-coverage"})
+    for (const char* name : {"--keep-uv", "--defragment", "--group", "--lock", "--weight", "--seams",
+                             "--hide-seams", "--separate-materials", "--free-aspect", "--min-coverage"})
       refuse(name, "--only", std::string("does not go with ") + name);
   if (!options.only.empty() && options.page.width != options.page.height)
     throw CLI::ValidationError("--only", "charts stay where they are on square pages only");
+  if (options.merges_uv)
+    for (const char* name : {"--straighten", "--symmetry", "--segmentation", "--parameterizer", "--solver",
+                             "--pins", "--optimizer", "--validator", "--max-area-ratio"})
+      refuse(name, "--defragment", std::string("charts come from those of the file: leave out ") + name);
+  if (options.merges_uv && options.mode == "paper")
+    throw CLI::ValidationError("--defragment", "charts do not merge in --mode paper");
   if (!options.keeps_uv) {
     for (const char* name : {"--group", "--lock"})
       refuse(name, name, "charts have places only where those of the file are kept: add --keep-uv");

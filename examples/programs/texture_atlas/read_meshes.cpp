@@ -26,7 +26,8 @@ void check_wishes(const Options& options, const std::vector<Atlas::Polygon_soup>
     throw Atlas::IO_error((options.detail.empty() ? options.name() : options.detail) +
                           ": neither vertices nor faces have colours to bake");
   const auto has_uv = [](const auto& soup) { return !soup.uv.empty(); };
-  if ((options.keeps_uv || !options.only.empty()) && std::none_of(soups.begin(), soups.end(), has_uv))
+  if ((options.keeps_uv || options.merges_uv || !options.only.empty()) &&
+      std::none_of(soups.begin(), soups.end(), has_uv))
     throw Atlas::IO_error(options.name() + ": there are no texture coordinates in this file");
 }
 
@@ -39,22 +40,24 @@ void print_warnings(const Options& options, const std::string& file, const std::
                    Atlas::internal::printable(warning).c_str());
 }
 
-/// The textures of all meshes, face by face. \throw Atlas::IO_error if there are none
+/// The textures of all meshes, face by face. \throw Atlas::IO_error if there are none, and none are named
 Atlas::Source_textures read_all_textures(const Options& options, const std::vector<std::string>& files,
                                          const std::vector<Atlas::Polygon_soup>& soups)
 {
   Atlas::Source_textures all;
+  bool is_any_missing = false;
   for (std::size_t i = 0; i < soups.size(); ++i) {
     Atlas::Source_textures own = Atlas::read_textures(files[i], soups[i]);
     print_warnings(options, files[i], own.warnings);
+    is_any_missing = is_any_missing || !own.warnings.empty();
     own.face_texture.resize(soups[i].number_of_faces(), Atlas::no_index);
     const auto before = static_cast<Atlas::Index>(all.textures.size());
     for (const Atlas::Index texture : own.face_texture)
       all.face_texture.push_back(texture == Atlas::no_index ? texture : texture + before);
     std::move(own.textures.begin(), own.textures.end(), std::back_inserter(all.textures));
   }
-  if (std::all_of(all.face_texture.begin(), all.face_texture.end(),
-                  [](Atlas::Index texture) { return texture == Atlas::no_index; }))
+  if (!is_any_missing && std::all_of(all.face_texture.begin(), all.face_texture.end(),
+                                     [](Atlas::Index texture) { return texture == Atlas::no_index; }))
     throw Atlas::IO_error(files.front() + ": there is no texture and no colour of a material to bake");
   return all;
 }

@@ -9,6 +9,7 @@
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/parameterization/Distortion_optimizer.h>
 #include <Atlas/parameterization/LSCM_parameterizer.h>
+#include <Atlas/pipeline/internal/trial_parameterizer.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/Feature_segmentation.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
@@ -23,22 +24,12 @@ namespace Atlas {
 
 namespace internal {
 
-/// How trial flattenings end: the decision to merge needs no more digits.
-inline constexpr int default_trial_iterations = 8;
-inline constexpr double default_trial_tolerance = 1e-3;
-
 /// The power of the energy whose mean charts of the mode `standard` end at: it lowers the worst places, and
 /// costs the mean little.
 inline constexpr unsigned standard_tail_exponent = 4;
 
 /// The share of a page that charts cover as a rule.
 inline constexpr double usual_packing_efficiency = 0.6;
-
-/// Whether charts are optimised in a mode.
-inline Optimize_charts optimize_charts(Atlas_mode mode)
-{
-  return mode == Atlas_mode::conformal ? Optimize_charts::if_needed : Optimize_charts::always;
-}
 
 /// The bound on densities that goes with options for merging; infinite where wishes go before.
 inline double max_density_ratio(const Merge_options& options)
@@ -74,15 +65,6 @@ inline Any_parameterizer final_parameterizer(Atlas_mode mode)
   if (mode == Atlas_mode::standard)
     options.tail_exponent = standard_tail_exponent;
   return Bijective_parameterizer(optimize_charts(mode), options);
-}
-
-/// How unions of charts are flattened for trial.
-inline Any_parameterizer trial_parameterizer(Optimize_charts optimize)
-{
-  Distortion_options options;
-  options.max_iterations = default_trial_iterations;
-  options.tolerance = default_trial_tolerance;
-  return Bijective_parameterizer(optimize, options);
 }
 
 } // namespace internal

@@ -6,8 +6,11 @@
 #include <Atlas/core/errors.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/parameterization/Existing_uv_parameterizer.h>
+#include <Atlas/pipeline/internal/trial_parameterizer.h>
+#include <Atlas/segmentation/Merged_segmentation.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/soup/internal/atlas_of_soup.h>
+#include <Atlas/soup/internal/file_charts.h>
 #include <Atlas/validation/Exact_validator.h>
 
 #include <cmath>
@@ -106,6 +109,24 @@ inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
   return options.seam_exchange_rate;
 }
 
+/// The policies that merge the charts of the soup's coordinates, and keep the shapes of all others.
+inline Policies merging_policies(const Soup_options& options, const Polygon_soup& model,
+                                 const Surface& surface)
+{
+  Policies policies = policies_of(options);
+  Merge_options merge = merge_options_of(options);
+  merge.are_borders_smoothed = false; // they are where the file has them
+  const File_charts charts(surface, model.uv);
+  const Exact_validator any_density(std::numeric_limits<double>::infinity(), 0);
+  policies.segmentation = Merged_segmentation(charts, trial_parameterizer(optimize_charts(options.mode)),
+                                              Identity_optimizer(), merge);
+  policies.parameterizer =
+      Unmerged_uv_parameterizer(charts, Existing_uv_parameterizer(surface, model.uv), policies.parameterizer);
+  policies.validator = Unmerged_uv_validator(charts, any_density, policies.validator);
+  policies.splitter = Unmerging_splitter(charts, policies.splitter);
+  return policies;
+}
+
 ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polygon_soup& model,
                                         Surface& surface, std::vector<Point_2>& uv,
                                         const std::function<bool(Stage, double)>& progress)
@@ -132,6 +153,15 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
     separate_materials(model, surface);
   else if (!surface.density_weight.empty())
     separate_weights(surface);
+  if (options.merges_uv) {
+    const Policies merging = merging_policies(options, model, surface);
+    return generate_atlas(surface, uv,
+                          common.segmentation(merging.segmentation)
+                              .parameterizer(merging.parameterizer)
+                              .validator(merging.validator)
+                              .splitter(merging.splitter)
+                              .hard_angle(options.hard_angle));
+  }
   return generate_atlas(surface, uv,
                         common.policies(policies)
                             .mode(options.mode)
