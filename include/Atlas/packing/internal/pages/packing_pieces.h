@@ -34,11 +34,12 @@ struct Motion_2
 /// two charts to be copies.
 struct Congruence_key
 {
-  std::vector<Vec2> border;
-  std::vector<Vec2> holes; ///< the points of all other borders, by x
+  std::vector<Vec2> border; ///< counterclockwise
+  std::vector<Vec2> holes;  ///< the points of all other borders, by x
   Vec2 centre;
   std::size_t vertices = 0, triangles = 0;
   double area = 0, radius = 0;
+  bool is_face_down = false; ///< whether the chart lies so in the plane, as halves of mirrored models do
 };
 
 inline std::optional<Congruence_key> congruence_key(const Chart& chart)
@@ -52,7 +53,7 @@ inline std::optional<Congruence_key> congruence_key(const Chart& chart)
   if (chains.empty() || !std::all_of(chains.begin(), chains.end(), is_closed) || !(outline.area > 0))
     return std::nullopt;
   Congruence_key key{
-      {}, {}, outline.centre, chart.uv.size(), chart.triangles.size(), outline.area, outline.radius};
+      {}, {}, outline.centre, chart.uv.size(), chart.triangles.size(), outline.area, outline.radius, false};
   // Closed chains start at their farthest point: that of the outer border is the farthest of all.
   const auto outer = std::max_element(chains.begin(), chains.end(), [&](const auto& a, const auto& b) {
     return length(outline.points[a.front()]) < length(outline.points[b.front()]);
@@ -61,6 +62,12 @@ inline std::optional<Congruence_key> congruence_key(const Chart& chart)
     for (std::size_t i = 0; i + 1 < chain->size(); ++i)
       (chain == outer ? key.border : key.holes).push_back(outline.points[(*chain)[i]]);
   std::sort(key.holes.begin(), key.holes.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+  double twice_area = 0;
+  for (std::size_t i = 0; i < key.border.size(); ++i)
+    twice_area += cross(key.border[i], key.border[(i + 1) % key.border.size()]);
+  key.is_face_down = twice_area < 0;
+  if (key.is_face_down)
+    std::reverse(key.border.begin() + 1, key.border.end());
   return key;
 }
 
@@ -127,10 +134,13 @@ inline std::optional<Congruence> congruence(const Congruence_key& from, const Co
 }
 
 /// The motion that takes one border to another. A reflection where there is no other, or where that is much
-/// nearer: of a triangle with two sides that are nearly equal.
+/// nearer: of a triangle with two sides that are nearly equal. A chart that lies face down and one that does
+/// not are mirror images of each other, even if they cover the same place.
 inline std::optional<Congruence> best_congruence(const Congruence_key& from, const Congruence_key& to,
                                                  bool is_mirroring_allowed)
 {
+  if (!is_mirroring_allowed && from.is_face_down != to.is_face_down)
+    return std::nullopt;
   const std::optional<Congruence> plain = congruence(from, to, false);
   if (!is_mirroring_allowed || (plain && plain->error <= 1e-7 * to.radius))
     return plain;
