@@ -33,7 +33,7 @@ has() { grep -qE "^\|[^|]*\`$1[\` ]" "$reference"; }
 for option in $(grep -ohE '"(-o,)?--[a-z-]+"' examples/programs/{texture_atlas,repack_atlas,verify_atlas,common}/*.cpp | tr -d '"' | sed -E 's/^(-o,)?--output$/-o/' | sort -u); do
   has "$option" || fault "$reference: the option $option is missing"
 done
-for name in $(sed -nE 's/^struct ([a-z_]+)_t$/\1/p' include/Atlas/core/parameters.h); do
+for name in $(sed -nE 's/^struct ([a-z_]+)_t$/\1/p' include/Atlas/core/internal/parameter_tags.h); do
   grep -qE "^\| \`$name\` \|" "$reference" || fault "$reference: the named parameter $name is missing"
 done
 

@@ -24,8 +24,9 @@ template <typename... More>
 using Atlas_names =
     Only_names<texture_size_t, gutter_t, page_options_t, mode_t, merge_options_t, max_charts_t,
                min_chart_texels_t, min_coverage_t, seam_exchange_rate_t, min_texels_per_chart_t, hard_angle_t,
-               hide_seams_t, straighten_t, symmetry_t, policies_t, segmentation_t, parameterizer_t,
-               optimizer_t, validator_t, splitter_t, packer_t, number_of_threads_t, progress_t, More...>;
+               only_given_seams_t, face_selection_map_t, hide_seams_t, straighten_t, symmetry_t, policies_t,
+               segmentation_t, parameterizer_t, optimizer_t, validator_t, splitter_t, packer_t,
+               number_of_threads_t, progress_t, More...>;
 
 /// The policies of a pack.
 template <typename NamedParameters>
@@ -88,6 +89,7 @@ Atlas_request atlas_request(const NamedParameters& np)
     request.wishes.min_texels_per_chart = static_cast<double>(parameter<min_texels_per_chart_t>(np));
   read_parameter<hide_seams_t>(np, request.hiding);
   read_parameter<straighten_t>(np, request.is_straightened);
+  read_parameter<only_given_seams_t>(np, request.has_only_given_seams);
   read_parameter<symmetry_t>(np, request.symmetry);
   request.threads = number_of_threads(np);
   read_parameter<progress_t>(np, request.progress);
@@ -101,8 +103,8 @@ Atlas_request atlas_request(const NamedParameters& np)
 /// soup.
 ///
 /// \param surface    what to map
-/// \param corner_uv  output: per corner of the input, in the order in which the surface counts them, the
-/// coordinates
+/// \param corner_uv  output (with `face_selection_map` input too): per corner of the input, in the order in
+///                   which the surface counts them, the coordinates
 ///                   in [0, 1]^2 of its page, origin bottom left; all of them are floats in value. Left as it
 ///                   is when the run is cancelled or there is no surface.
 /// \param np         any of the names of `parameters.h` but the maps; another name fails to compile
@@ -116,19 +118,28 @@ generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
                const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
   internal::Atlas_names<>::check(&np);
-  return internal::run_atlas(surface, internal::atlas_request(np), corner_uv);
+  internal::Atlas_request request = internal::atlas_request(np);
+  if constexpr (internal::has_parameter<internal::face_selection_map_t,
+                                        CGAL::Named_function_parameters<T, Tag, Base>>) {
+    using Map = std::remove_cvref_t<decltype(internal::parameter<internal::face_selection_map_t>(np))>;
+    static_assert(ReadableMap<Map, Index>, "face_selection_map must be a readable map from numbers of faces");
+    request.selection.emplace();
+    for (Index f = 0; f < surface.number_of_faces; ++f)
+      request.selection->push_back(get(internal::parameter<internal::face_selection_map_t>(np), f));
+  }
+  return internal::run_atlas(surface, request, corner_uv);
 }
 
 /// \brief Makes a texture atlas of a mesh: segments it into charts, flattens them, proves them, packs them.
 ///
 /// \tparam Mesh          a model of CGAL's `FaceListGraph`; triangles, quads or any polygons, open or closed
-/// \tparam HalfedgeUVMap a writable property map from halfedges to a point type constructible from two
-/// doubles
+/// \tparam HalfedgeUVMap a writable property map from halfedges to points or vectors that are constructible
+/// from two doubles, or to arrays of two numbers
 ///
 /// \param mesh  stays as it is
 /// \param uv    output: for every halfedge h that is not on the border, the image of `target(h)` in
 /// `face(h)`, in [0, 1]^2 of the face's page, origin bottom left. Left as it is when the run is cancelled or
-/// there is no atlas. \param np    names of Atlas (see `parameters.h`), then of CGAL: `vertex_point_map`,
+/// there is no atlas. \param np    names of Atlas (see `parameters.h`) and of CGAL: `vertex_point_map`,
 /// `vertex_index_map`,
 ///              `edge_is_constrained_map` (edges that must be seams), `face_patch_map` (faces of different
 ///              patches never share a chart). Another name fails to compile.
@@ -151,14 +162,22 @@ generate_atlas(const Mesh& mesh, HalfedgeUVMap uv,
   Atlas_names<seam_cost_map_t, forbidden_seam_map_t, face_weight_map_t, face_chart_map_t, face_page_map_t,
               edge_seam_map_t, CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_index_t,
               CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::face_patch_t>::check(&np);
-  const Atlas_request request = atlas_request(np);
+  Atlas_request request = atlas_request(np);
   const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
   std::vector<Point_2> corner_uv;
+  if constexpr (has_parameter<face_selection_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
+    static_assert(ReadableHalfedgeUVMap<HalfedgeUVMap, Mesh>,
+                  "with face_selection_map the map of coordinates must be readable, too");
+    corner_uv = read_corner_uv(mesh, arrays, uv);
+    request.selection = read_selection(arrays, parameter<face_selection_map_t>(np));
+  }
+  const std::vector<Point_2> before = corner_uv; // what stays is not written again
   const Atlas_report report = run_atlas(arrays.surface, request, corner_uv);
-  if (corner_uv.empty())
+  if (report.status != Atlas_status::valid && report.status != Atlas_status::not_valid)
     return report;
   for (std::size_t c = 0; c < corner_uv.size(); ++c)
-    put(uv, arrays.halfedges[c], UV_point(corner_uv[c].x(), corner_uv[c].y()));
+    if (before.empty() || before[c] != corner_uv[c])
+      put(uv, arrays.halfedges[c], make_uv<UV_point>(corner_uv[c].x(), corner_uv[c].y()));
   write_edge_seams(mesh, arrays, report.segmentation, parameter<edge_seam_map_t>(np));
   write_face_numbers(arrays, report.face_chart, parameter<face_chart_map_t>(np));
   write_face_numbers(arrays, report.face_page, parameter<face_page_map_t>(np));

@@ -60,7 +60,7 @@ pack_charts(const Mesh& mesh, HalfedgeUVMap uv,
     packer.emplace(Raster_packer());
   }
   const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
-  const std::vector<Point_2> corner_uv = read_corner_uv(arrays, uv);
+  const std::vector<Point_2> corner_uv = read_corner_uv(mesh, arrays, uv);
   const Surface& surface = arrays.surface;
   Repacked_charts repacked = pack_charts(surface, corner_uv, page, *packer, Execution(number_of_threads(np)));
 
@@ -74,7 +74,7 @@ pack_charts(const Mesh& mesh, HalfedgeUVMap uv,
   if (repacked.packing.number_of_pages > 0)
     for (std::size_t c = 0; c < corner_uv.size(); ++c)
       if (repacked.uv[c] != corner_uv[c] && std::isfinite(repacked.uv[c].x()))
-        put(uv, arrays.halfedges[c], Point(repacked.uv[c].x(), repacked.uv[c].y()));
+        put(uv, arrays.halfedges[c], make_uv<Point>(repacked.uv[c].x(), repacked.uv[c].y()));
   return std::move(repacked.packing);
 }
 

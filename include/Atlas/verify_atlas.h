@@ -18,7 +18,9 @@ namespace Atlas {
 /// \tparam HalfedgeUVMap a readable property map from halfedges to points of the plane
 ///
 /// \param mesh  triangles, quads or any polygons
-/// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`
+/// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`; or a
+/// map
+///              of vertices
 /// \param np    `texture_size` (default `default_texture_size`), `gutter` (default 0: any distance will do),
 ///              `face_page_map` (the page of each face; default: all on one), `number_of_threads`;
 ///              CGAL's `vertex_point_map`, `vertex_index_map`
@@ -43,7 +45,7 @@ verify_atlas(const Mesh& mesh, HalfedgeUVMap uv,
   options.gutter = page.gutter;
   options.precision = Uv_precision::single_precision;
   const std::vector<Index> pages = read_face_numbers(arrays, parameter<face_page_map_t>(np));
-  return certify(arrays.surface, read_corner_uv(arrays, uv), pages, options,
+  return certify(arrays.surface, read_corner_uv(mesh, arrays, uv), pages, options,
                  Execution(number_of_threads(np)));
 }
 

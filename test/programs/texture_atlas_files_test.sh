@@ -127,6 +127,23 @@ make 0 0 low.obj -o a.obj --bake-from high.off --bake colors --cage 0
 [ "$(colors a_color.png)" = "(0, 255, 0)" ] || fail "colours of nearest points: $(colors a_color.png)"
 make 0 0 low.obj -o a.obj --bake-from plain.obj --bake texture --cage 1
 [ "$(colors a_texture.png)" = "(0, 0, 255) (255, 0, 0)" ] || fail "materials of another mesh: $(colors a_texture.png)"
+# Its alpha, its height along the normals (the largest is white, and in the report), and what hides it from the sky.
+sed 's/mtllib leaf.mtl/&\n/; s/ .5 .5 .5//; s/^v \(.\) \(.\) 0/v \1 \2 .01/' leaf.obj >high_leaf.obj
+make 0 0 low.obj -o a.obj --bake-from high_leaf.obj --bake texture --bake displacement
+grep -q 'map_d a_texture.png' a.mtl || fail "the alpha of another mesh"
+case $(colors a_texture.png) in *'(255, 0, 0, 255)'*'255, 0)'*) ;; *) fail "alpha of another mesh: $(colors a_texture.png)" ;; esac
+[ "$(colors a_displacement.png)" = "(255, 255, 255)" ] || fail "a plane above: $(colors a_displacement.png)"
+python3 -c 'import json; assert abs(json.load(open("a.json"))["largest_displacement"] - 0.01) < 1e-12' || fail "no scale"
+printf 'v 0 0 -.01\nv 1 0 -.01\nv 1 1 .005\nv 0 1 .005\nf 1 2 3 4\n' >slope.obj
+make 0 0 low.obj -o a.obj --bake-from slope.obj --bake displacement
+colors a_displacement.png | tr ')' '\n' | awk -F'[(,]' 'NF > 1 { if (!n++) first = $2; last = $2 } END { exit !(n > 30 && first < 5 && last > 183 && last < 193) }' ||
+  fail "a slope: $(colors a_displacement.png)"
+make 2 1 low.obj -o a.obj --bake displacement
+printf 'v -9 -9 .1\nv -9 9 .1\nv 9 9 .1\nv 9 -9 .1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 5 6 7 8\n' >roofed.obj
+make 0 0 low.obj -o a.obj --bake-from roofed.obj --bake occlusion --cage 0.001
+[ "$(colors a_occlusion.png)" = "(0, 0, 0)" ] || fail "under a roof: $(colors a_occlusion.png)"
+make 0 0 low.obj -o a.obj --bake-from high.off --bake occlusion
+[ "$(colors a_occlusion.png)" = "(255, 255, 255)" ] || fail "in the open: $(colors a_occlusion.png)"
 make 3 1 low.obj -o a.obj --bake-from low.obj --bake colors
 grep -q 'low.obj: neither' stderr || fail "colours that are not there: $(cat stderr)"
 make 2 1 low.obj -o a.obj --bake-from high.off

@@ -24,8 +24,16 @@ struct Textures
 {
   std::vector<Atlas::Image> pages;
   std::string suffix;
-  std::optional<Seams_closed> seams; ///< if they were to be closed
+  std::optional<Seams_closed> seams;  ///< if they were to be closed
+  std::optional<double> displacement; ///< what white stands for, outwards, and black, inwards
 };
+
+namespace CLI {
+class App;
+}
+
+/// Declares the options for pictures and bakes.
+void add_picture_options(CLI::App& app, Options& options);
 
 /// Bakes the pages of the model, from itself or from the mesh that has been given for it.
 class Baker
@@ -41,6 +49,7 @@ public:
 
 private:
   Atlas::Image image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const;
+  void bake_displacement(Textures& result, const Atlas::Execution& execution) const;
 
   const Input& input_;
   Atlas::Image_size size_;

@@ -146,7 +146,7 @@ void clear_fragments(const std::vector<Batch_entry>& entries)
   for (const Batch_entry& entry : entries)
     stems[fs::path(entry.output).parent_path()].insert(fs::path(entry.output).stem().string());
   const std::regex form(
-      "\\.(.+?)(_(checkerboard|color|texture|normal|tangent_normal|occlusion|page|stretch|view|"
+      "\\.(.+?)(_(checkerboard|color|texture|normal|tangent_normal|occlusion|displacement|page|stretch|view|"
       "batch))?(\\.[0-9]{4})?\\.[a-z]+\\.([0-9]+)\\.part");
   std::error_code ignored;
   for (const auto& [folder, own] : stems)

@@ -136,6 +136,7 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
   wishes.hard_angle = options.hard_angle;
   wishes.keeps_uv = options.keeps_uv;
   wishes.merges_uv = options.merges_uv;
+  wishes.has_only_given_seams = options.has_only_given_seams;
   wishes.separates_materials = options.separates_materials;
   wishes.policies =
       policies_of(options.stages, wishes.mode, merge_options_of(wishes), wishes.symmetry, options.effort);

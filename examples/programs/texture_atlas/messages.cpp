@@ -100,6 +100,12 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
                    "coordinates, face down, or folded) and got another\n",
                    moved);
   tell_lower_density("texture_atlas", options, report.density);
+  if (report.added_seams > 0)
+    std::fprintf(
+        stderr,
+        "texture_atlas: %zu edges are seams besides those given: charts would not be discs, or cover "
+        "themselves, without\n",
+        report.added_seams);
   if (options.keeps_document() && report.pages > 1)
     std::fprintf(stderr,
                  "texture_atlas: of the glTF document only the triangles of its scene and the names of "

@@ -2,6 +2,7 @@
 // The command line.
 #include <Atlas/IO/internal/extension.h>
 
+#include "bakes.h"
 #include "texture_atlas.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -116,6 +117,9 @@ void add_coverage_options(CLI::App& app, Options& options)
 /// Where seams run.
 void add_seam_options(CLI::App& app, Options& options)
 {
+  app.add_flag("--seams-only", options.has_only_given_seams,
+               "Let charts be what --seams, --hard-angle and --separate-materials make, whatever their "
+               "distortion; only what is no disc, or covers itself in the plane, is cut further");
   app.add_option(
          "--hide-seams", options.hiding,
          "Let seams run where they are hardly seen, even if they get a little longer. `openness`: where "
@@ -186,49 +190,6 @@ void add_run_options(CLI::App& app, Options& options)
       ->check(CLI::Range(0.0, 1e6));
 }
 
-void add_picture_options(CLI::App& app, Options& options)
-{
-  app.add_flag("--pictures", options.has_pictures,
-               "Also write pictures, with the stem of the output: the page with its charts in colours "
-               "(_page.png), its stretch (_stretch.png), the model from several sides (_view.png), and a "
-               "report with all of them and the model to turn (.html)");
-  app.add_option("--picture", options.picture,
-                 "Also write one PNG picture with the page and the model side by side");
-  app.add_option("--bake", options.bakes,
-                 "What to bake into the page: `colors` of the vertices (_color.png) or the old `texture` "
-                 "(_texture.png) instead of the checkerboard; `normals` in the space of the model "
-                 "(_normal.png) or in tangent space (_tangent_normal.png, by MikkTSpace; the model gets "
-                 "normals if it has none) and ambient `occlusion` (_occlusion.png) beside it. May be given "
-                 "several times")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Bake>{{"colors", Bake::colors},
-                                                              {"texture", Bake::texture},
-                                                              {"normals", Bake::normals},
-                                                              {"tangent-normals", Bake::tangent_normals},
-                                                              {"occlusion", Bake::occlusion}})
-              .description("colors|texture|normals|tangent-normals|occlusion"))
-      ->allow_extra_args(false);
-  app.add_flag(
-         "--seamless", options.is_seamless,
-         "Change the texels along seams, as little as it takes, so that both sides of every seam show the "
-         "same colour, or normal, at mip levels 0 to 2; the report tells the largest difference that "
-         "is left. Goes well with --mip-levels 2")
-      ->needs("--bake");
-  CLI::Option* bake_from =
-      app.add_option(
-             "--bake-from", options.detail,
-             "Bake from another mesh of the same shape and place, such as the scan that MESH has been "
-             "simplified from: what its nearest face along the normal shows, which looks the same "
-             "way, or its nearest point where there is none within the cage. Without alpha")
-          ->needs("--bake");
-  app.add_option("--cage", options.cage,
-                 "How far that mesh is looked for along normals, as a share of the diagonal of its bounding "
-                 "box; 0 takes nearest points alone")
-      ->check(CLI::Range(0.0, 1.0))
-      ->needs(bake_from)
-      ->capture_default_str();
-}
-
 /// Refuses options that tell how charts merge where they do not.
 void check_use_of_merging(const CLI::App& app, const Options& options)
 {
@@ -258,6 +219,11 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
     for (const char* name : {"--straighten", "--symmetry", "--segmentation", "--parameterizer", "--solver",
                              "--pins", "--optimizer", "--validator", "--max-area-ratio"})
       refuse(name, "--defragment", std::string("charts come from those of the file: leave out ") + name);
+  if (options.has_only_given_seams)
+    for (const char* name : {"--max-distortion", "--measure", "--max-stretch", "--max-charts",
+                             "--min-chart-texels", "--symmetry", "--straighten", "--segmentation",
+                             "--keep-uv", "--defragment", "--only", "--min-coverage", "--seam-exchange-rate"})
+      refuse(name, "--seams-only", std::string("the seams are given: leave out ") + name);
   if (options.merges_uv && options.mode == "paper")
     throw CLI::ValidationError("--defragment", "charts do not merge in --mode paper");
   if (!options.keeps_uv) {
@@ -339,6 +305,8 @@ void complete_all(const CLI::App& app, Options& options)
   if (options.min_coverage > 0 && options.page.density > 0)
     throw CLI::ValidationError("--min-coverage",
                                "does not go with --density, whose last page is as it comes");
+  if (options.has(Bake::displacement) && options.detail.empty())
+    throw CLI::ValidationError("--bake", "displacement is measured to another mesh: add --bake-from");
   if (!options.seams.empty() && options.meshes.size() > 1)
     throw CLI::ValidationError("--seams", "speaks of the vertices of one mesh, but there are several");
 }

@@ -67,7 +67,7 @@ Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& mod
   const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
   const Atlas::Image board =
       Atlas::checkerboard(page.with_longer_side(side), std::max<std::size_t>(side / 16, 2));
-  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png", {}};
+  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png", {}, {}};
 }
 
 /// The pictures of several pages have the number of their tile in their name.
@@ -272,7 +272,7 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
                       const Atlas::Execution& execution)
 {
   Written written;
-  Atlas::Json seams = Atlas::Json::array();
+  Atlas::Json seams = Atlas::Json::array(), displacement;
   Outputs outputs;
   Atlas::Polygon_soup& model = input.models.whole();
   const fs::path output = options.output;
@@ -287,11 +287,13 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
     tell_seams(textures, seams, written.seams);
     clear_baked_colors(options, input);
     add_models(outputs, options, input.models, textures);
-    for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion})
+    for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion, Bake::displacement})
       if (options.has(what)) {
         const Textures further = bake(what, execution);
         add_textures(outputs, output, pngs_of(further), further.suffix);
         tell_seams(further, seams, written.seams);
+        if (further.displacement)
+          displacement = *further.displacement;
       }
     add_pictures(outputs, options, model, textures, report);
   }
@@ -299,6 +301,8 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
   json.update(to_json(report));
   if (!seams.empty())
     json["seams_of_textures"] = seams;
+  if (!displacement.is_null())
+    json["largest_displacement"] = displacement;
   if (!options.tells_times)
     json.erase("seconds");
   if (!is_device || !options.report.empty())

@@ -21,7 +21,7 @@
 #include <vector>
 
 /// What the texture of the model shows, or a further picture beside it.
-enum class Bake { colors, texture, normals, occlusion, tangent_normals };
+enum class Bake { colors, texture, normals, occlusion, tangent_normals, displacement };
 
 struct Options : Packing_options
 {
@@ -40,9 +40,9 @@ struct Options : Packing_options
   std::size_t max_charts = 0;
   unsigned threads = 0;
   std::vector<Bake> bakes;
-  bool keeps_uv = false, merges_uv = false, separates_materials = false, is_straightened = false,
-       turns_faces = false, is_seamless = false, has_pictures = false, is_quiet = false,
-       shows_progress = false;
+  bool keeps_uv = false, merges_uv = false, has_only_given_seams = false, separates_materials = false,
+       is_straightened = false, turns_faces = false, is_seamless = false, has_pictures = false,
+       is_quiet = false, shows_progress = false;
   double time_limit = 0;   ///< seconds; 0: none
   double memory_limit = 0; ///< gigabytes; 0: none
   int uv_set = 0;          ///< the number of the new coordinates in a glTF document

@@ -11,6 +11,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <type_traits>
 
 namespace Atlas {
@@ -58,23 +59,72 @@ concept WritableMap = requires(const Map& map, const Key& key, const Value& valu
   put(map, key, value);
 };
 
-/// \ingroup mesh_concepts
-/// \brief A map from halfedges into which texture coordinates can be written: to points constructible from
-/// two doubles.
-template <typename Map, typename Mesh>
-concept WritableHalfedgeUVMap = std::constructible_from < typename boost::property_traits<Map>::value_type,
-double, double > &&WritableMap<Map, typename boost::graph_traits<Mesh>::halfedge_descriptor,
-                               typename boost::property_traits<Map>::value_type>;
+namespace internal {
 
-/// \ingroup mesh_concepts
-/// \brief A map from halfedges to texture coordinates: points with `x()` and `y()`.
-template <typename Map, typename Mesh>
-concept ReadableHalfedgeUVMap = ReadableMap<Map, typename boost::graph_traits<Mesh>::halfedge_descriptor> &&
-    requires(const typename boost::property_traits<Map>::value_type& p)
+/// What has `x()` and `y()`, as points of CGAL and vectors of Eigen.
+template <typename UV>
+concept HasXY = requires(const UV& p)
 {
   CGAL::to_double(p.x());
   CGAL::to_double(p.y());
 };
+
+/// What has elements 0 and 1 only, as `std::array`.
+template <typename UV>
+concept HasElements = !HasXY<UV> && requires(UV p)
+{
+  CGAL::to_double(p[0]);
+  p[1] = p[0];
+};
+
+/// One of the two coordinates.
+template <typename UV>
+double coordinate(const UV& p, int i)
+{
+  if constexpr (HasXY<UV>)
+    return CGAL::to_double(i == 0 ? p.x() : p.y());
+  else
+    return CGAL::to_double(p[static_cast<std::size_t>(i)]);
+}
+
+/// Coordinates of a type.
+template <typename UV>
+UV make_uv(double u, double v)
+{
+  if constexpr (std::constructible_from<UV, double, double>) {
+    return UV(u, v);
+  } else {
+    UV result{};
+    using Number = std::remove_cvref_t<decltype(result[0])>;
+    result[0] = static_cast<Number>(u);
+    result[1] = static_cast<Number>(v);
+    return result;
+  }
+}
+
+} // namespace internal
+
+/// \ingroup mesh_concepts
+/// \brief A map from halfedges into which texture coordinates can be written: points and vectors
+/// constructible from two doubles, as those of CGAL and Eigen, or arrays of two numbers.
+template <typename Map, typename Mesh>
+concept WritableHalfedgeUVMap =
+    (std::constructible_from<typename boost::property_traits<Map>::value_type, double, double> ||
+     internal::HasElements<typename boost::property_traits<
+         Map>::value_type>)&&WritableMap<Map, typename boost::graph_traits<Mesh>::halfedge_descriptor,
+                                         typename boost::property_traits<Map>::value_type>;
+
+/// \ingroup mesh_concepts
+/// \brief A map from halfedges to texture coordinates, or from vertices where no seam splits them: points
+/// and vectors with `x()` and `y()`, or arrays of two numbers.
+template <typename Map, typename Mesh>
+concept ReadableHalfedgeUVMap =
+    (ReadableMap<Map, typename boost::graph_traits<Mesh>::halfedge_descriptor> ||
+     ReadableMap<
+         Map,
+         typename boost::graph_traits<Mesh>::
+             vertex_descriptor>)&&(internal::HasXY<typename boost::property_traits<Map>::value_type> ||
+                                   internal::HasElements<typename boost::property_traits<Map>::value_type>);
 
 } // namespace Atlas
 

@@ -2,76 +2,17 @@
 #ifndef ATLAS_CORE_PARAMETERS_H
 #define ATLAS_CORE_PARAMETERS_H
 
+#include <Atlas/core/internal/parameter_tags.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace Atlas {
 
-namespace internal {
-struct texture_size_t
-{};
-struct gutter_t
-{};
-struct page_options_t
-{};
-struct mode_t
-{};
-struct merge_options_t
-{};
-struct max_charts_t
-{};
-struct min_chart_texels_t
-{};
-struct hard_angle_t
-{};
-struct min_coverage_t
-{};
-struct seam_exchange_rate_t
-{};
-struct min_texels_per_chart_t
-{};
-struct straighten_t
-{};
-struct hide_seams_t
-{};
-struct symmetry_t
-{};
-struct seam_cost_map_t
-{};
-struct forbidden_seam_map_t
-{};
-struct face_weight_map_t
-{};
-struct policies_t
-{};
-struct segmentation_t
-{};
-struct parameterizer_t
-{};
-struct optimizer_t
-{};
-struct validator_t
-{};
-struct splitter_t
-{};
-struct packer_t
-{};
-struct number_of_threads_t
-{};
-struct progress_t
-{};
-struct face_chart_map_t
-{};
-struct face_page_map_t
-{};
-struct edge_seam_map_t
-{};
-} // namespace internal
-
 /// \brief A pack of named parameters: CGAL's, with Atlas's names added.
 ///
-/// Packs are chained with dots, Atlas's names first:
-/// `parameters::texture_size(1024).gutter(2).vertex_point_map(m)`; after a name of CGAL's only names of
-/// CGAL's can follow.
+/// Packs are chained with dots, in any order: `parameters::texture_size(1024).vertex_point_map(m).gutter(2)`.
+/// Those of CGAL's names that Atlas knows are among them; a pack that begins in `CGAL::parameters` has only
+/// CGAL's.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -166,6 +107,22 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   auto symmetry(const K& k) const
   {
     return with<internal::symmetry_t>(k);
+  }
+  /// Whether charts are what the constrained edges (and hard angles) make of patches, or of the whole
+  /// surface: nothing merges, and no bound on distortion cuts. Only what is no disc, or covers itself in the
+  /// plane, is cut further; `Atlas_report::added_seams` tells. Default: false.
+  template <typename K>
+  auto only_given_seams(const K& k) const
+  {
+    return with<internal::only_given_seams_t>(k);
+  }
+  /// The faces that are unwrapped: a readable map of Booleans from faces (of flat arrays from their numbers).
+  /// All others keep, to the bit, the coordinates that they have, in [0, 1]^2 of the first page, and new
+  /// charts are packed around them. Default: all faces.
+  template <typename K>
+  auto face_selection_map(const K& k) const
+  {
+    return with<internal::face_selection_map_t>(k);
   }
   /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
   /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
@@ -271,6 +228,31 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return with<internal::edge_seam_map_t>(k);
   }
 
+  /// CGAL's: positions, a readable map from vertices to points.
+  template <typename K>
+  auto vertex_point_map(const K& k) const
+  {
+    return with<CGAL::internal_np::vertex_point_t>(k);
+  }
+  /// CGAL's: numbers, a readable map from vertices.
+  template <typename K>
+  auto vertex_index_map(const K& k) const
+  {
+    return with<CGAL::internal_np::vertex_index_t>(k);
+  }
+  /// CGAL's: edges that must be seams, a readable map of Booleans.
+  template <typename K>
+  auto edge_is_constrained_map(const K& k) const
+  {
+    return with<CGAL::internal_np::edge_is_constrained_t>(k);
+  }
+  /// CGAL's: patches that no chart crosses, a readable map from faces.
+  template <typename K>
+  auto face_patch_map(const K& k) const
+  {
+    return with<CGAL::internal_np::face_patch_t>(k);
+  }
+
 private:
   template <typename New_tag, typename K>
   Named_parameters<K, New_tag, Pack> with(const K& k) const
@@ -311,6 +293,10 @@ template <typename K> auto straighten(const K& k) { return Named_parameters<K, i
 template <typename K> auto symmetry(const K& k) { return Named_parameters<K, internal::symmetry_t>(k); }
 /// See `Named_parameters::seam_cost_map()`.
 template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K, internal::seam_cost_map_t>(k); }
+/// See `Named_parameters::only_given_seams()`.
+template <typename K> auto only_given_seams(const K& k) { return Named_parameters<K, internal::only_given_seams_t>(k); }
+/// See `Named_parameters::face_selection_map()`.
+template <typename K> auto face_selection_map(const K& k) { return Named_parameters<K, internal::face_selection_map_t>(k); }
 /// See `Named_parameters::hide_seams()`.
 template <typename K> auto hide_seams(const K& k) { return Named_parameters<K, internal::hide_seams_t>(k); }
 /// See `Named_parameters::forbidden_seam_map()`.
@@ -341,6 +327,14 @@ template <typename K> auto face_chart_map(const K& k) { return Named_parameters<
 template <typename K> auto face_page_map(const K& k) { return Named_parameters<K, internal::face_page_map_t>(k); }
 /// See `Named_parameters::edge_seam_map()`.
 template <typename K> auto edge_seam_map(const K& k) { return Named_parameters<K, internal::edge_seam_map_t>(k); }
+/// See `Named_parameters::vertex_point_map()`.
+template <typename K> auto vertex_point_map(const K& k) { return Named_parameters<K, CGAL::internal_np::vertex_point_t>(k); }
+/// See `Named_parameters::vertex_index_map()`.
+template <typename K> auto vertex_index_map(const K& k) { return Named_parameters<K, CGAL::internal_np::vertex_index_t>(k); }
+/// See `Named_parameters::edge_is_constrained_map()`.
+template <typename K> auto edge_is_constrained_map(const K& k) { return Named_parameters<K, CGAL::internal_np::edge_is_constrained_t>(k); }
+/// See `Named_parameters::face_patch_map()`.
+template <typename K> auto face_patch_map(const K& k) { return Named_parameters<K, CGAL::internal_np::face_patch_t>(k); }
 // clang-format on
 
 /// A pack in which everything has its default.

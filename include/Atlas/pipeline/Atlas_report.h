@@ -131,6 +131,8 @@ struct [[nodiscard]] Atlas_report
   std::vector<Index> face_chart;    ///< per face of the input: its chart, or `no_index` for a rejected face
   std::vector<Index> face_page;     ///< per face of the input: its page
   std::vector<Chart_report> charts; ///< in the order of their first triangles
+  std::size_t added_seams = 0; ///< with `only_given_seams`: edges that are seams besides those asked for, as
+                               ///< charts would not be discs, or cover themselves, without
   std::size_t segmented_charts = 0; ///< how many charts the segmentation made, before they were cut to discs
   std::size_t split_charts = 0;     ///< how many charts were refused and split on the way
   std::size_t rejoined_pieces = 0;  ///< how many of the pieces were accepted together with a neighbour

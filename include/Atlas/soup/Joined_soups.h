@@ -76,7 +76,9 @@ private:
 /// \brief A mesh as a soup, so that every writer and every bake takes it.
 ///
 /// \param mesh  triangles, quads or any polygons
-/// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`
+/// \param uv    for every halfedge h that is not on the border, the image of `target(h)` in `face(h)`; or a
+/// map
+///              of vertices
 /// \param np    CGAL's `vertex_normal_map`, `vertex_color_map` and `face_color_map` (to colours of CGAL or
 ///              to three or four numbers in [0, 1]), `face_patch_map` (to names or numbers of materials),
 ///              `vertex_point_map`, `vertex_index_map`; `face_page_map`
@@ -94,7 +96,7 @@ Polygon_soup soup_of(const Mesh& mesh, HalfedgeUVMap uv,
              names::face_patch_t, names::vertex_point_t, names::vertex_index_t, face_page_map_t>::check(&np);
   Polygon_soup soup;
   const Mesh_arrays<Mesh> arrays = read_faces(mesh, np, soup);
-  soup.uv = read_corner_uv(arrays, uv);
+  soup.uv = read_corner_uv(mesh, arrays, uv);
   soup.face_page = read_face_numbers(arrays, parameter<face_page_map_t>(np));
   read_normals(mesh, arrays, soup, parameter<names::vertex_normal_map_t>(np));
   read_vertex_colors(mesh, arrays, soup, parameter<names::vertex_color_map_t>(np));
@@ -115,7 +117,7 @@ void put_uv(const Polygon_soup& soup, const Mesh& mesh, HalfedgeUVMap uv)
       internal::require(corner < soup.uv.size(), "soup",
                         "must have a coordinate for each corner of the mesh");
       const Point_2& p = soup.uv[corner++];
-      put(uv, h, typename boost::property_traits<HalfedgeUVMap>::value_type(p.x(), p.y()));
+      put(uv, h, internal::make_uv<typename boost::property_traits<HalfedgeUVMap>::value_type>(p.x(), p.y()));
     }
   internal::require(corner == soup.uv.size(), "soup",
                     "must have no more coordinates than the mesh has corners");

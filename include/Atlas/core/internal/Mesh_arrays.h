@@ -138,6 +138,18 @@ void read_patches(Mesh_arrays<FaceListGraph>& view, FaceMap face_patch)
     view.surface.patch[t] = number.at(get(face_patch, view.faces[view.surface.face[t]]));
 }
 
+/// Per face whether it is selected.
+template <typename FaceListGraph, typename FaceMap>
+std::vector<bool> read_selection(const Mesh_arrays<FaceListGraph>& view, FaceMap is_selected)
+{
+  static_assert(ReadableMap<FaceMap, typename Mesh_arrays<FaceListGraph>::Face>,
+                "face_selection_map must be a readable map from faces");
+  std::vector<bool> result;
+  for (const auto f : view.faces)
+    result.push_back(get(is_selected, f));
+  return result;
+}
+
 template <typename FaceListGraph>
 void read_density_weights(Mesh_arrays<FaceListGraph>&, Param_not_found)
 {}
@@ -176,16 +188,20 @@ Mesh_arrays<FaceListGraph> mesh_arrays(const FaceListGraph& mesh, const NamedPar
   return view;
 }
 
-/// The coordinates of every corner of the input.
-template <typename FaceListGraph, typename HalfedgeUVMap>
-std::vector<Point_2> read_corner_uv(const Mesh_arrays<FaceListGraph>& view, HalfedgeUVMap uv)
+/// The coordinates of every corner of the input, from a map of halfedges or of vertices.
+template <typename FaceListGraph, typename UVMap>
+std::vector<Point_2> read_corner_uv(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
+                                    UVMap uv)
 {
+  using Halfedge = typename Mesh_arrays<FaceListGraph>::Halfedge;
   std::vector<Point_2> corner_uv;
   corner_uv.reserve(view.halfedges.size());
-  for (const auto h : view.halfedges) {
-    const auto& p = get(uv, h);
-    corner_uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  }
+  const auto add = [&](const auto& p) { corner_uv.emplace_back(coordinate(p, 0), coordinate(p, 1)); };
+  for (const auto h : view.halfedges)
+    if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<UVMap>::key_type>)
+      add(get(uv, h));
+    else
+      add(get(uv, target(h, mesh)));
   return corner_uv;
 }
 

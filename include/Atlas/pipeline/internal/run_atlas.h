@@ -38,9 +38,11 @@ struct Atlas_request
   double min_chart_texels = 0;
   Page_wishes wishes;
   Symmetry symmetry = Symmetry::off;
-  double hard_angle = 0;             ///< degrees; 0: none
-  std::optional<Seam_hiding> hiding; ///< from where seams shall not be seen
-  bool is_straightened = false;      ///< whether grids of quadrilaterals become rectangles
+  double hard_angle = 0;                      ///< degrees; 0: none
+  std::optional<Seam_hiding> hiding;          ///< from where seams shall not be seen
+  bool is_straightened = false;               ///< whether grids of quadrilaterals become rectangles
+  bool has_only_given_seams = false;          ///< whether charts are what wanted seams and patches make
+  std::optional<std::vector<bool>> selection; ///< per input face whether it is unwrapped; none: all are
   unsigned threads = 0;
   Progress progress;
 
@@ -56,8 +58,8 @@ struct Atlas_request
 /// Makes the atlas. Everything about the request and the surface that can be wrong is checked before any
 /// work.
 ///
-/// \param corner_uv  per input corner; untouched when there is no atlas
-/// \throws Invalid_argument, Policy_error
+/// \param corner_uv  per input corner; untouched when there is no atlas. With a selection also the
+/// coordinates that other faces have \throws Invalid_argument, Policy_error
 Atlas_report run_atlas(const Surface& surface, const Atlas_request& request, std::vector<Point_2>& corner_uv);
 
 } // namespace Atlas::internal

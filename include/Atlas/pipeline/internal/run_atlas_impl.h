@@ -7,10 +7,14 @@
 #include <Atlas/core/internal/check_surface.h>
 #include <Atlas/parameterization/Bijective_parameterizer.h>
 #include <Atlas/pipeline/internal/Atlas_pipeline.h>
+#include <Atlas/pipeline/internal/remake_faces.h>
 #include <Atlas/pipeline/internal/run_atlas.h>
 #include <Atlas/segmentation/Merged_segmentation.h>
+#include <Atlas/segmentation/Patch_segmentation.h>
+#include <Atlas/validation/Exact_validator.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Atlas::internal {
 
@@ -22,6 +26,22 @@ inline Merge_options merge_options_of(const Atlas_request& request)
   if (request.min_chart_texels > 0)
     options.min_chart_area = area_share_of_texels(request.min_chart_texels, request.page);
   return options;
+}
+
+/// Charts that the user draws are what they are: nobody else has a say in it.
+inline void check_given_seams(const Atlas_request& request)
+{
+  if (!request.has_only_given_seams)
+    return;
+  const char* reason = "has no meaning where the given seams alone make the charts (only_given_seams)";
+  require(!request.segmentation, "segmentation", reason);
+  require(!request.merge_options, "merge_options", reason);
+  require(!request.max_charts, "max_charts", reason);
+  require(request.min_chart_texels == 0, "min_chart_texels", reason);
+  require(request.symmetry == Symmetry::off, "symmetry", reason);
+  require(!request.is_straightened, "straighten", reason);
+  require(request.wishes.min_coverage == 0, "min_coverage", reason);
+  require(request.wishes.seam_exchange_rate.value_or(0) == 0, "seam_exchange_rate", reason);
 }
 
 /// A segmentation that is given merges as it likes: who asks for something else too would not get it.
@@ -56,6 +76,12 @@ inline Policies policies_of(const Surface& surface, const Atlas_request& request
   policies.validator = request.validator.value_or(policies.validator);
   policies.splitter = request.splitter.value_or(policies.splitter);
   policies.packer = request.packer.value_or(policies.packer);
+  if (request.has_only_given_seams) {
+    policies.segmentation = Patch_segmentation();
+    if (!request.validator)
+      policies.validator = Exact_validator(std::numeric_limits<double>::infinity(), 0);
+    policies.repair.rejoin_pieces = false;
+  }
   if (request.is_straightened) {
     const Distortion_bound bound =
         policies.segmentation.bound().value_or(bound_of(merge_options_of(request)));
@@ -97,7 +123,7 @@ inline Cut_trade cut_trade(const Atlas_request& request)
   const Page_options& page = request.page;
   const bool has_lists = !page.weights.empty() || !page.groups.empty() || !page.locked.empty();
   const bool is_own = request.segmentation || request.parameterizer || request.optimizer ||
-                      request.validator || request.splitter;
+                      request.validator || request.splitter || request.has_only_given_seams;
   const Merge_options merging = merge_options_of(request);
   if (has_lists || is_own || merging.max_charts > 0 || merging.min_chart_area > 0 ||
       request.symmetry != Symmetry::off)
@@ -110,6 +136,46 @@ inline Cut_trade cut_trade(const Atlas_request& request)
           default_added_seam_of_empty_pages};
 }
 
+/// Edges that are seams although nobody asked for them.
+inline std::size_t added_seams(const Surface& surface, const Segmentation& segmentation)
+{
+  std::size_t count = 0;
+  for (Index h = 0; h < surface.opposite.size(); ++h) {
+    const Index o = surface.opposite[h];
+    if (o == no_index || o < h || segmentation.is_glued(surface, h))
+      continue;
+    const bool is_wanted = !surface.constraint.empty() && surface.constraint[h] == Edge_constraint::seam;
+    const bool is_border = !surface.patch.empty() && surface.patch[h / 3] != surface.patch[o / 3];
+    count += !is_wanted && !is_border;
+  }
+  return count;
+}
+
+/// The surface with the seams that angles and viewers ask for.
+inline Surface with_wishes(const Surface& surface, const Atlas_request& request)
+{
+  Surface result = surface;
+  if (request.hard_angle > 0)
+    constrain_hard_edges(result, request.hard_angle);
+  if (request.hiding)
+    hide_seams(result, *request.hiding, Execution(request.threads));
+  return result;
+}
+
+/// Lists for charts would speak of others than those that there are, and copies of charts that stay would
+/// stay too.
+inline void check_selection(const Atlas_request& request)
+{
+  if (!request.selection)
+    return;
+  const Page_options& page = request.page;
+  const char* reason = "does not go with face_selection_map";
+  require(page.stacking == Chart_stacking::none, "stacking", reason);
+  require(!page.has_free_aspect, "has_free_aspect", reason);
+  require(page.weights.empty() && page.groups.empty() && page.locked.empty(), "page_options",
+          "has lists for charts, which do not go with face_selection_map");
+}
+
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
                                     std::vector<Point_2>& corner_uv)
 {
@@ -120,23 +186,33 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
           "must be finite and not negative");
   check_page_wishes(request);
   check_wishes(request);
-  const Policies policies = policies_of(surface, request);
+  check_given_seams(request);
+  check_selection(request);
+  const Any_packer packer = policies_of(surface, request).packer; // faults of policies show before the work
   Page_options page = request.page;
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
-  const auto run = [&](const Surface& input) {
+  const auto run = [&](const Surface& input, std::vector<Point_2>& uv) {
+    const Policies policies = policies_of(input, request);
     return Atlas_pipeline(input, policies, page, request.wishes, cut_trade(request), shared_parts(request),
                           request.threads, request.progress)
-        .run(corner_uv);
+        .run(uv);
   };
-  if (!(request.hard_angle > 0) && !request.hiding)
-    return run(surface);
-  Surface with_wishes = surface;
-  if (request.hard_angle > 0)
-    constrain_hard_edges(with_wishes, request.hard_angle);
-  if (request.hiding)
-    hide_seams(with_wishes, *request.hiding, Execution(request.threads));
-  return run(with_wishes);
+  const auto make = [&](const Surface& input) {
+    Atlas_report report;
+    if (request.selection) {
+      const Execution execution(request.threads, [&](double fraction) {
+        return !request.progress || request.progress(Stage::packing, fraction);
+      });
+      report = Face_remaker(input, *request.selection, corner_uv)(run, packer, page, execution, corner_uv);
+    } else {
+      report = run(input, corner_uv);
+    }
+    if (request.has_only_given_seams && !report.charts.empty())
+      report.added_seams = added_seams(input, report.segmentation);
+    return report;
+  };
+  return request.hard_angle > 0 || request.hiding ? make(with_wishes(surface, request)) : make(surface);
 }
 
 } // namespace Atlas::internal

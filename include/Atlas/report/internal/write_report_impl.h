@@ -119,6 +119,7 @@ ATLAS_INLINE Json to_json(const Atlas_report& report)
           {"number_of_charts", report.charts.size()},
           {"segmented_charts", report.segmented_charts},
           {"split_charts", report.split_charts},
+          {"added_seams", report.added_seams},
           {"rejoined_pieces", report.rejoined_pieces},
           {"stacked_charts", report.stacked_charts},
           {"min_coverage", report.min_coverage},

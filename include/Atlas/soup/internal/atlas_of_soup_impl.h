@@ -165,6 +165,7 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
   return generate_atlas(surface, uv,
                         common.policies(policies)
                             .mode(options.mode)
+                            .only_given_seams(options.has_only_given_seams)
                             .hard_angle(options.hard_angle)
                             .straighten(options.is_straightened));
 }
