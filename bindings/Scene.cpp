@@ -48,6 +48,7 @@ void check(const Scene_mesh& mesh)
   require_size(soup.colors.size(), soup.points.size(), "colors", "vertices");
   require_size(soup.face_material.size(), soup.number_of_faces(), "materials", "faces");
   require_size(soup.face_page.size(), soup.number_of_faces(), "pages", "faces");
+  require_size(mesh.selected.size(), soup.number_of_faces(), "selected", "faces");
   require_size(mesh.visibility.size(), soup.points.size(), "visibility", "vertices");
   internal::require(std::all_of(mesh.visibility.begin(), mesh.visibility.end(),
                                 [](double seen) { return seen >= 0 && seen <= 1; }),
@@ -140,12 +141,14 @@ Atlas_status Scene::generate(const Scene_options& options, const Progress& progr
 {
   Input input;
   start(options, input);
-  if (options.keeps_uv)
+  internal::Soup_options wishes = by_our_numbers(options);
+  wishes.selection = selection();
+  if (options.keeps_uv || wishes.selection)
     require_uv();
   hide_seams_of(input.surface, options);
   std::vector<Point_2> uv;
   const Atlas_report report =
-      atlas_of_soup(by_our_numbers(options), *input.soup, input.surface, uv, within_time(options, progress));
+      atlas_of_soup(wishes, *input.soup, input.surface, uv, within_time(options, progress));
   report_ = Atlas::to_json(report);
   summary_ = {report.status,  report.charts.size(),     report.pages, report.page_width, report.page_height,
               report.density, report.packing_efficiency};
@@ -299,6 +302,19 @@ void Scene::hide_seams_of(Surface& surface, const Scene_options& options) const
   }
   if (options.hiding)
     hide_seams(surface, *options.hiding, Execution(options.threads));
+}
+
+/// The faces of all meshes that are unwrapped anew, if not all are.
+std::optional<std::vector<bool>> Scene::selection() const
+{
+  if (std::all_of(meshes_.begin(), meshes_.end(), [](const auto& mesh) { return mesh.selected.empty(); }))
+    return std::nullopt;
+  std::vector<bool> result;
+  for (const Scene_mesh& mesh : meshes_) {
+    result.insert(result.end(), mesh.selected.begin(), mesh.selected.end());
+    result.resize(result.size() + (mesh.selected.empty() ? mesh.soup.number_of_faces() : 0), true);
+  }
+  return result;
 }
 
 /// Coordinates and materials of all meshes, where any has them.

@@ -41,7 +41,8 @@ struct Scene_mesh
   Polygon_soup soup;
   std::vector<std::array<Index, 2>> seams, forbidden_seams; ///< edges, by their two vertices
   std::vector<double>
-      visibility; ///< per vertex, in [0, 1]: how much it is seen. \see `hide_seams()`; or empty
+      visibility;             ///< per vertex, in [0, 1]: how much it is seen, or empty. \see `hide_seams()`
+  std::vector<bool> selected; ///< per face: whether it is unwrapped anew; empty: all are
 };
 
 /// What became of a mesh.
@@ -115,6 +116,7 @@ private:
   void turn_faces(std::size_t mesh, std::vector<Point_3>& welded_points);
   void join_attributes(Input& input) const;
   void hide_seams_of(Surface& surface, const Scene_options& options) const;
+  std::optional<std::vector<bool>> selection() const;
   internal::Soup_options by_our_numbers(const Scene_options& options) const;
   Progress within_time(const Scene_options& options, const Progress& progress);
   void require_uv() const;

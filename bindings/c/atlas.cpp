@@ -184,6 +184,7 @@ bindings::Scene_options scene_options(const atlas_options& options)
   result.symmetry = value_of<Symmetry>(options.symmetry, ATLAS_SYMMETRY_Z, "symmetry");
   result.hiding = hiding_of(options);
   result.stages = stages_of(options);
+  result.has_only_given_seams = options.only_given_seams != 0;
   result.weld = options.weld;
   result.hard_angle = options.hard_angle;
   result.separates_materials = options.separate_materials != 0;
@@ -266,6 +267,9 @@ bindings::Scene_mesh scene_mesh(const atlas_mesh& mesh)
     soup.face_page.assign(mesh.face_pages, mesh.face_pages + mesh.number_of_faces);
   if (mesh.face_materials)
     soup.face_material.assign(mesh.face_materials, mesh.face_materials + mesh.number_of_faces);
+  if (mesh.selected)
+    for (std::size_t f = 0; f < mesh.number_of_faces; ++f)
+      result.selected.push_back(mesh.selected[f] != 0);
   if (mesh.visibility)
     result.visibility.assign(mesh.visibility, mesh.visibility + mesh.number_of_vertices);
   result.seams = read_edges(mesh.seams, mesh.number_of_seams, "seams");

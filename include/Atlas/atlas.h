@@ -140,7 +140,9 @@ typedef struct atlas_mesh
   size_t number_of_seams;              /**< how many there are */
   const unsigned int* forbidden_seams; /**< edges that must not be seams, as far as topology allows */
   size_t number_of_forbidden_seams;    /**< how many there are */
-  const double* visibility; /**< how much each vertex is seen, in [0, 1]: seams run where it is small */
+  const double* visibility;      /**< how much each vertex is seen, in [0, 1]: seams run where it is small */
+  const unsigned char* selected; /**< per face: not 0 if it is unwrapped anew; all others keep their
+                                    coordinates, in [0, 1]^2, to the bit. Null: all are */
 } atlas_mesh;
 
 /** What the charts of a material may do. */
@@ -202,6 +204,8 @@ typedef struct atlas_options
   const char* pins;          /**< which two vertices LSCM pins */
   const char* optimizer;     /**< who lowers the distortion of flattened charts */
   const char* packer;        /**< who puts charts on pages */
+  int only_given_seams; /**< charts are what seams, `hard_angle` and materials make, whatever their distortion
+                         */
   double weld; /**< vertices nearer than this share of their mesh's size are one, in [0, 0.1]; 0: only equal
                   ones */
 } atlas_options;

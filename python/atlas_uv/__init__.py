@@ -38,6 +38,7 @@ name                      default       meaning
 ``symmetry``              'off'         'auto', 'x', 'y', 'z': mirrored charts where the surface is its own image
 ``hard_angle``            none          cut at edges sharper than so many degrees
 ``separate_materials``    False         no chart has faces of two materials
+``only_given_seams``      False         charts are what seams, angles and materials make, whatever their distortion
 ``keep_uv``               False         keep the shapes of the charts that the meshes' own coordinates have
 ``hide_seams``            none          seams run where they are hardly seen: 'openness', 'view:AXIS', 'dome:AXIS', with an axis
                                         as '-y' or '0,1,1'; maps of your own are `visibility` of `Atlas.add_mesh`
@@ -193,7 +194,7 @@ class Atlas:
     def add_mesh(
         self, mesh: Any, faces: Any = None, normals: Any = None, uvs: Any = None, *, uv_faces: Any = None,
         colors: Any = None, materials: Any = None, pages: Any = None, seams: Any = None, forbidden_seams: Any = None,
-        texture: Any = None, visibility: Any = None,
+        texture: Any = None, visibility: Any = None, selected: Any = None,
     ) -> int:
         """Adds a mesh and returns its number.
 
@@ -208,6 +209,7 @@ class Atlas:
         :param seams: edges that must be seams, pairs of vertices
         :param forbidden_seams: edges that must not be seams, as far as topology allows
         :param texture: the picture that `uvs` are about, height x width x 3 or 4 bytes, the first row on top
+        :param selected: per face, whether it is unwrapped anew; all others keep their `uvs`, in the unit square, to the bit
         :param visibility: how much each vertex is seen, in [0, 1]; seams run where it is small
         :raises ValueError: an array has the wrong shape, or names what does not exist
         """
@@ -224,6 +226,7 @@ class Atlas:
             materials=per_face(materials, f, "materials"),
             seams=_edges(seams, "seams"),
             forbidden_seams=_edges(forbidden_seams, "forbidden_seams"),
+            selected=None if selected is None else np.ascontiguousarray(selected, bool),
             visibility=None if visibility is None else np.ascontiguousarray(visibility, np.float64),
         )
         self._meshes.append(m)

@@ -56,7 +56,7 @@ template <typename Value>
 std::vector<Value> values(const Array<Value>& array, const char* argument)
 {
   require_shape(array, 0, argument);
-  return {array.data(), array.data() + array.size()};
+  return std::vector<Value>(array.data(), array.data() + array.size());
 }
 
 /// A view of a vector that keeps its owner alive. No copy.

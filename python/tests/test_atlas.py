@@ -300,6 +300,41 @@ def test_baking():
             atlas_uv.bake(SQUARE, HALVES, uvs, **wrong)
 
 
+def test_faces_of_a_selection_are_unwrapped():
+    positions, faces = torus()
+    first = atlas_uv.Atlas(texture_size=512)
+    first.add_mesh(positions, faces)
+    first.generate()
+    old = first.result()
+    chosen = positions[faces].mean(1)[:, 0] > 1
+    atlas = atlas_uv.Atlas(texture_size=512)
+    atlas.add_mesh(positions, faces, uvs=old.corner_uvs, selected=chosen)
+    report = atlas.generate()
+    new = atlas.result()
+    assert report["is_valid"] and 0 < chosen.sum() < len(faces)
+    assert np.array_equal(new.corner_uvs[~chosen], old.corner_uvs[~chosen])
+    assert (new.corner_uvs[chosen] != old.corner_uvs[chosen]).any(2).any(1).mean() > 0.9
+    assert atlas_uv.verify(positions, faces, new.corner_uvs)["is_valid"]
+    for wrong, words in (
+        (dict(selected=chosen), "uvs"), (dict(selected=chosen[1:], uvs=old.corner_uvs), "selected"),
+        (dict(selected=chosen, uvs=old.corner_uvs + 5), r"\[0, 1\]"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            atlas = atlas_uv.Atlas()
+            atlas.add_mesh(positions, faces, **wrong)
+            atlas.generate()
+
+
+def test_given_seams_alone_make_the_charts():
+    positions, faces = torus()
+    # Two rings cut the torus into two bent tubes, which are no discs: a cut more for each.
+    ring = lambda i: [[12 * i + j, 12 * i + (j + 1) % 12] for j in range(12)]
+    atlas = atlas_uv.Atlas(only_given_seams=True)
+    atlas.add_mesh(positions, faces, seams=ring(0) + ring(12))
+    report = atlas.generate()
+    assert report["is_valid"] and report["number_of_charts"] == 2 and report["added_seams"] > 0
+
+
 def test_seams_are_hidden():
     positions, faces = torus(32, 16)
 

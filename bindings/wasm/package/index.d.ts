@@ -37,6 +37,7 @@ export interface Options {
   symmetry?: 'off' | 'auto' | 'x' | 'y' | 'z';
   hide_seams?: 'none' | 'openness' | 'dome' | 'view';
   hide_axis?: [number, number, number];
+  only_given_seams?: boolean;
   weld?: number;
   segmentation?: 'features' | 'normals' | 'paper' | 'region-growing' | 'seams' | 'variational';
   parameterizer?:

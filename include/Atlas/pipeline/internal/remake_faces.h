@@ -12,6 +12,7 @@
 #include <Atlas/segmentation/internal/surface/part_of_surface.h>
 #include <Atlas/validation/certify.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -83,7 +84,7 @@ public:
     Certificate_options options;
     options.width = page.width;
     options.height = page.height;
-    options.gutter = page.gutter;
+    options.gutter = gutter_of_kept(page, execution);
     report.certificate = certify(surface_, result_, report.face_page, options, execution);
     report.status = report.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
     corner_uv = std::move(result_);
@@ -109,11 +110,26 @@ private:
   /// Adds the charts that stay, in texels, and gives their segmentation.
   Segmentation take_kept_charts(double width, double height)
   {
-    const Surface rest = part_of_surface(
+    rest_ = part_of_surface(
         surface_, [&](Index t) { return !is_new_[t]; }, kept_triangles_);
-    Segmentation segmentation = charts_of_uv(rest, uv_);
-    take_charts(rest, segmentation, uv_, width, height);
+    Segmentation segmentation = charts_of_uv(rest_, uv_);
+    take_charts(rest_, segmentation, uv_, width, height);
     return segmentation;
+  }
+
+  /// The gutter that can be asked for: what stays may be nearer to each other, or touch where what was
+  /// between is unwrapped.
+  double gutter_of_kept(const Page_options& page, const Execution& execution) const
+  {
+    if (kept_triangles_.empty())
+      return page.gutter;
+    Certificate_options options;
+    options.width = page.width;
+    options.height = page.height;
+    options.gutter = page.gutter;
+    const Atlas_certificate kept =
+        certify(rest_, uv_, std::vector<Index>(surface_.number_of_faces, 0), options, execution);
+    return std::min({page.gutter, kept.chart_distance, 2 * std::max(0., kept.page_border_distance)});
   }
 
   /// Puts the first charts on their pages, and writes their coordinates.
@@ -204,6 +220,7 @@ private:
   }
 
   const Surface& surface_;
+  Surface rest_; ///< what stays
   const std::vector<Point_2>& uv_;
   std::vector<bool> is_new_;                      ///< per triangle
   std::vector<Index> triangles_, kept_triangles_; ///< of the part, and of the rest: those of the surface

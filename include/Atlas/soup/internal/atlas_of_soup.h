@@ -38,9 +38,10 @@ struct Soup_options
   double min_texels_per_chart = 0;               ///< 0: no such wish
   Symmetry symmetry = Symmetry::off;             ///< where charts are to be mirror images of each other
   bool keeps_uv = false;                         ///< charts are those of the soup's coordinates
-  bool merges_uv = false;            ///< charts are those of the coordinates, merged within bounds
-  bool has_only_given_seams = false; ///< charts are what wanted seams, angles and materials make
-  bool separates_materials = false;  ///< no chart has faces of two materials
+  bool merges_uv = false;                     ///< charts are those of the coordinates, merged within bounds
+  bool has_only_given_seams = false;          ///< charts are what wanted seams, angles and materials make
+  bool separates_materials = false;           ///< no chart has faces of two materials
+  std::optional<std::vector<bool>> selection; ///< per face: whether it is unwrapped anew; none: all are
   Page_options page;
   Packing_effort effort = Packing_effort::fast; ///< of `Raster_packer`
   Stage_names stages;                           ///< stages whose models are not those of the mode

@@ -13,6 +13,8 @@
 #include <Atlas/soup/internal/file_charts.h>
 #include <Atlas/validation/Exact_validator.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -78,6 +80,8 @@ inline void check_stages(const Soup_options& options)
     require_nothing_to_merge(options, "segmentation", '\'' + options.stages.segmentation + '\'');
   Stage_names but_packer = options.stages;
   but_packer.packer.clear();
+  require(!options.selection || (!options.keeps_uv && !options.merges_uv), "selected",
+          "does not go with charts that keep their shapes");
   require(
       !options.keeps_uv || !but_packer.any(), "keep_uv",
       "keeps charts as they are: segmentation, parameterizer, solver, pins and optimizer have no meaning");
@@ -127,6 +131,33 @@ inline Policies merging_policies(const Soup_options& options, const Polygon_soup
   return policies;
 }
 
+/// Faces by number: whether they are selected.
+struct Selected_faces
+{
+  using key_type = Index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<bool>& is_selected;
+
+  friend bool get(const Selected_faces& map, Index face) { return map.is_selected[face]; }
+};
+
+/// \param uv  output; what is not selected keeps the model's coordinates
+template <typename NamedParameters>
+Atlas_report atlas_of_selection(const Soup_options& options, const Polygon_soup& model,
+                                const Surface& surface, std::vector<Point_2>& uv, const NamedParameters& np)
+{
+  if (!options.selection)
+    return generate_atlas(surface, uv, np);
+  require(options.selection->size() == surface.number_of_faces, "selected",
+          "must have an entry for each face");
+  require(options.rules.empty(), "selected", "does not go with rules for materials");
+  uv = model.uv;
+  return generate_atlas(surface, uv, np.face_selection_map(Selected_faces{*options.selection}));
+}
+
 ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polygon_soup& model,
                                         Surface& surface, std::vector<Point_2>& uv,
                                         const std::function<bool(Stage, double)>& progress)
@@ -162,12 +193,12 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
                               .splitter(merging.splitter)
                               .hard_angle(options.hard_angle));
   }
-  return generate_atlas(surface, uv,
-                        common.policies(policies)
-                            .mode(options.mode)
-                            .only_given_seams(options.has_only_given_seams)
-                            .hard_angle(options.hard_angle)
-                            .straighten(options.is_straightened));
+  return atlas_of_selection(options, model, surface, uv,
+                            common.policies(policies)
+                                .mode(options.mode)
+                                .only_given_seams(options.has_only_given_seams)
+                                .hard_angle(options.hard_angle)
+                                .straighten(options.is_straightened));
 }
 
 ATLAS_INLINE Repacked_charts repack_soup(const Soup_options& options, const Polygon_soup& model,
