@@ -92,6 +92,26 @@ def test_selected_faces_only():
     assert atlas_uv.verify(positions, faces[:8], after[:8])["is_valid"]
 
 
+def test_other_faces_are_kept_clear_of():
+    objects = scene(grid)
+    (obj,) = objects
+    for loop in obj.data.uv_layers.active.data:
+        loop.uv = 0.1 + 0.5 * loop.uv.x, 0.1 + 0.5 * loop.uv.y
+    before = coordinates(obj).copy()
+    edit(objects, lambda obj, face: face.index < 8)
+    unwrap(keep_clear=True)
+    after = coordinates(obj)
+    assert np.array_equal(after[8:], before[8:]) and (after[:8] != before[:8]).any((1, 2)).all()
+    assert certificate(objects)["is_valid"]
+    edit(objects, lambda obj, face: face.index < 8)
+    try:
+        bpy.ops.uv.unwrap_with_atlas(keep_clear=True, stack="copies")
+    except RuntimeError as error:
+        assert "stacked" in str(error)
+    else:
+        raise AssertionError("stacked")
+
+
 def test_seams_are_cut():
     (obj,) = scene(grid)
     for edge in obj.data.edges:

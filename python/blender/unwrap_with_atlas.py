@@ -3,7 +3,7 @@
 
 In edit mode it unwraps the selected faces of all objects that are edited, in object mode all faces of the selected meshes.
 They share one atlas, with one density of texels as the objects lie in the world. Seams are cut. An island that has a pinned
-vertex stays as it is and where it is, and the others are packed around it.
+vertex stays as it is and where it is, and the others are packed around it, and around all other faces if so wished.
 """
 
 import threading
@@ -30,16 +30,23 @@ bl_info = {
 
 
 class Part:
-    """The faces of one object that are unwrapped, as arrays. The mesh is not touched before `write()`."""
+    """The faces of one object that are unwrapped, and those that they keep clear of, as arrays.
 
-    def __init__(self, obj):
+    The mesh is not touched before `write()`.
+    """
+
+    def __init__(self, obj, keeps_clear=False):
         self.mesh = obj.data
         with Editing(self.mesh) as bm:
             self.positions = np.array([v.co for v in bm.verts]).reshape(-1, 3)
             chosen = [f for f in bm.faces if f.select] if self.mesh.is_editmode else list(bm.faces)
             layer = bm.loops.layers.uv.active
             self.seams = [[v.index for v in e.verts] for e in bm.edges if e.seam]
+            self.is_wanted = bool(chosen)
             kept = pinned_faces(chosen, layer) if layer else set()
+            if keeps_clear and layer:
+                kept |= {f.index for f in bm.faces} - {f.index for f in chosen}
+                chosen = list(bm.faces)
             self.faces = [f.index for f in chosen]
             self.polygons = [[v.index for v in f.verts] for f in chosen]
             self.is_kept = np.array([f.index in kept for f in chosen], bool)
@@ -50,15 +57,20 @@ class Part:
         if np.linalg.det(world[:3, :3]) < 0:  # fronts of faces are those of the mesh, not of its mirror image
             self.positions[:, 0] *= -1
 
-    def free(self):
-        """The faces that get new coordinates."""
-        return np.flatnonzero(~self.is_kept)
+    def add_to(self, atlas):
+        """All faces; those that stay with their coordinates."""
+        none = (np.nan, np.nan)
+        corners = [uv for polygon, uvs in zip(self.polygons, self.uvs) for uv in uvs or [none] * len(polygon)]
+        first = np.cumsum([0] + [len(polygon) for polygon in self.polygons])
+        numbers = [list(range(a, b)) for a, b in zip(first, first[1:])]
+        kept = {"uvs": np.array(corners).reshape(-1, 2), "uv_faces": numbers, "selected": ~self.is_kept}
+        atlas.add_mesh(self.positions, self.polygons, seams=self.seams or None, **(kept if self.is_kept.any() else {}))
 
-    def take(self, faces, result):
-        """Takes over new coordinates of some faces."""
+    def take(self, result):
+        """Takes over new coordinates."""
         corners = result.corner_uvs.reshape(-1, 2)
         first = 0
-        for face, page in zip(faces, result.face_pages):
+        for face, page in enumerate(result.face_pages):
             end = first + len(self.polygons[face])
             self.uvs[face] = corners[first:end].tolist()
             self.pages[face] = page
@@ -122,34 +134,17 @@ def joins(a, b, layer):
 
 
 def unwrap(parts, options, progress=None):
-    """Gives all parts their coordinates. :returns: the report of the last step"""
-    kept = any(part.is_kept.any() for part in parts)
-    report = {}
-    if any(len(part.free()) for part in parts):
-        atlas = atlas_uv.Atlas(**options)
-        for part in parts:
-            atlas.add_mesh(part.positions, [part.polygons[f] for f in part.free()], seams=part.seams or None)
-        report = atlas.generate(progress)
-        for i, part in enumerate(parts):
-            part.take(part.free(), atlas.result(i))
-    return pack_around_pins(parts, options, progress) if kept and report else report
-
-
-def pack_around_pins(parts, options, progress):
-    """Packs what has been made around the islands that stay."""
-    known = ("texture_size", "gutter", "pages", "rotation", "snap", "effort", "stack", "threads")
-    atlas = atlas_uv.Atlas(**{name: value for name, value in options.items() if name in known}, lock=[1])
+    """Gives all parts their coordinates. :returns: the report, empty if all faces stay"""
+    if all(part.is_kept.all() for part in parts):
+        return {}
+    if any(part.is_kept.any() for part in parts) and options.get("stack", "none") != "none":
+        raise ValueError("Charts cannot be stacked around islands that stay")
+    atlas = atlas_uv.Atlas(**options)
     for part in parts:
-        table = np.array([uv for face in part.uvs for uv in face]).reshape(-1, 2)
-        first = np.cumsum([0] + [len(p) for p in part.polygons])
-        numbers = [list(range(a, b)) for a, b in zip(first, first[1:])]
-        # Charts that lie on different pages are apart, though their coordinates are alike.
-        for face, page in enumerate(part.pages):
-            table[first[face]:first[face + 1]] += page % 10, page // 10
-        atlas.add_mesh(part.positions, part.polygons, uvs=table, uv_faces=numbers, materials=part.is_kept.astype(int))
-    report = atlas.pack(progress)
+        part.add_to(atlas)
+    report = atlas.generate(progress)
     for i, part in enumerate(parts):
-        part.take(range(len(part.faces)), atlas.result(i))
+        part.take(atlas.result(i))
     return report
 
 
@@ -185,6 +180,10 @@ class UV_OT_unwrap_with_atlas(bpy.types.Operator):
             ("y", "Y", "At a plane across the local Y axis"),
             ("z", "Z", "At a plane across the local Z axis"),
         ],
+    )
+    keep_clear: BoolProperty(
+        name="Around Other Faces", default=False,
+        description="In edit mode: pack around the islands of faces that are not selected. They have to lie on the first tile",
     )
     use_seams: BoolProperty(name="Cut at Seams", default=True, description="Edges that are marked become seams")
     max_distortion: FloatProperty(
@@ -245,8 +244,8 @@ class UV_OT_unwrap_with_atlas(bpy.types.Operator):
             objects = context.objects_in_mode_unique_data
         else:
             objects = {o.data: o for o in context.selected_objects if o.type == "MESH"}.values()
-        parts = [part for part in map(Part, objects) if part.faces]
-        if not parts:
+        parts = [part for part in (Part(obj, self.keep_clear) for obj in objects) if part.faces]
+        if not any(part.is_wanted for part in parts):
             self.report({"ERROR"}, "No faces are selected")
             return None
         if not self.use_seams:
