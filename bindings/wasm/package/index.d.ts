@@ -92,6 +92,10 @@ export interface SceneMesh {
   /** Edges, two vertices each. */
   seams?: Uint32Array | number[];
   forbiddenSeams?: Uint32Array | number[];
+  /** Per vertex, in [0, 1]: seams run where it is small. */
+  visibility?: Float64Array | number[];
+  /** Per face: whether it is unwrapped anew. All others keep their coordinates. */
+  selected?: Uint8Array | boolean[];
 }
 
 export interface Result {

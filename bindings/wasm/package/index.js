@@ -137,7 +137,8 @@ export class Scene {
 
   /**
    * Adds a mesh and returns its number.
-   * mesh: { positions, indices, faceSizes, stride, vertexUvs, cornerUvs, facePages, faceMaterials, seams, forbiddenSeams };
+   * mesh: { positions, indices, faceSizes, stride, vertexUvs, cornerUvs, facePages, faceMaterials, seams, forbiddenSeams,
+   * visibility, selected };
    * all but positions may be left out. Without indices every three vertices are a triangle, without faceSizes all faces are.
    */
   addMesh(mesh) {
@@ -158,12 +159,16 @@ export class Scene {
     const materials = unsigned(mesh.faceMaterials, 'faceMaterials');
     const seams = unsigned(mesh.seams, 'seams');
     const forbidden = unsigned(mesh.forbiddenSeams, 'forbiddenSeams');
+    const visibility = mesh.visibility && Float64Array.from(mesh.visibility);
+    const selected = mesh.selected && Uint8Array.from(mesh.selected, (is) => (is ? 1 : 0));
+    requireLength(visibility, vertices, 'visibility');
+    requireLength(selected, faces, 'selected');
     requireLength(vertexUvs, 2 * vertices, 'vertexUvs');
     requireLength(cornerUvs, 2 * corners, 'cornerUvs');
     requireLength(pages, faces, 'facePages');
     requireLength(materials, faces, 'faceMaterials');
     withArena((arena) => {
-      const arrays = [positions, indices, sizes, vertexUvs, cornerUvs, pages, materials, seams, forbidden];
+      const arrays = [positions, indices, sizes, vertexUvs, cornerUvs, pages, materials, seams, forbidden, visibility, selected];
       const addresses = arena.copy(Uint32Array.from(arrays, (array) => arena.copy(array)));
       const numbers = arena.copy(
         Uint32Array.of(isDouble ? 1 : 0, step * positions.BYTES_PER_ELEMENT, vertices, faces,

@@ -129,6 +129,41 @@ test('other arrays: doubles, a stride, no indices, 16 bits', () => {
   assert.equal(uvsOf({ positions: soup }).length, 2 * loose);
 });
 
+test('options and arrays that few need', () => {
+  const chartsOf = (mesh, options) =>
+    withScene((scene) => {
+      scene.addMesh(mesh);
+      scene.generate({ width: 128, height: 128, ...options });
+      return scene.summary.charts;
+    });
+  const apart = { positions: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1e-6, 1, 1, 1e-6, 0, 1, 1e-6] };
+  assert.equal(chartsOf(apart, {}), 2);
+  assert.equal(chartsOf(apart, { weld: 1e-4 }), 1);
+  const box = { positions, indices: corners, faceSizes };
+  assert.equal(chartsOf(box, { segmentation: 'seams', hard_angle: 60, packer: 'rows' }), 6);
+  assert.equal(chartsOf(box, { only_given_seams: true, hard_angle: 60 }), 6);
+  assert.ok(chartsOf(box, { hide_seams: 'dome', hide_axis: [0, 0, 1] }) >= 1);
+  assert.ok(chartsOf({ ...box, visibility: Array(positions.length / 3).fill(0.5) }, {}) >= 1);
+  for (const [mesh, options] of [
+    [box, { segmentation: 'nobody' }],
+    [box, { hide_seams: 'dome' }],
+    [{ ...box, visibility: [1] }, {}],
+    [{ ...box, selected: [true] }, {}],
+  ])
+    assert.throws(() => chartsOf(mesh, options), AtlasError);
+  // One face is unwrapped anew, and the others stay.
+  withScene((scene) => {
+    scene.addMesh(box);
+    scene.generate({ width: 256, height: 256, hard_angle: 60 });
+    const cornerUvs = scene.result(0).cornerUvs.slice();
+    withScene((again) => {
+      again.addMesh({ ...box, cornerUvs, selected: faceSizes.map((_, f) => f === 0) });
+      assert.equal(again.generate({ width: 256, height: 256 }), true);
+      assert.deepEqual(again.result(0).cornerUvs.slice(8), cornerUvs.slice(8));
+    });
+  });
+});
+
 test('verify says yes to what was made, and no to what overlaps', () =>
   withScene((scene) => {
     scene.addMesh({ positions, indices: triangles });
