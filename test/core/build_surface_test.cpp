@@ -2,8 +2,12 @@
 #include <Atlas/core/build_surface.h>
 #include <Atlas/core/concepts.h>
 #include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/halfedges.h>
 
 #include "test_meshes.h"
+#include <algorithm>
+#include <array>
+#include <random>
 
 namespace Atlas::test {
 namespace {
@@ -249,6 +253,50 @@ TEST(Execution, RunsEveryIterationOnceAndStopsWhenCancelled)
     EXPECT_EQ(calls, 3);
     EXPECT_FALSE(stopping.proceed(1));
   }
+}
+
+/// What pairing says, by looking at all pairs of halfedges.
+std::vector<Index> opposites_by_search(const std::vector<std::array<Index, 3>>& triangles)
+{
+  const Index n = static_cast<Index>(3 * triangles.size());
+  const auto tail = [&](Index h) { return triangles[h / 3][h % 3]; };
+  const auto head = [&](Index h) { return tail(next_halfedge(h)); };
+  std::vector<Index> opposite(n, no_index);
+  for (Index h = 0; h < n; ++h) {
+    std::vector<Index> others;
+    for (Index g = 0; g < n; ++g)
+      if (g != h && std::minmax(tail(g), head(g)) == std::minmax(tail(h), head(h)))
+        others.push_back(g);
+    if (others.size() == 1 && tail(h) != head(h) && tail(others[0]) == head(h))
+      opposite[h] = others[0];
+  }
+  return opposite;
+}
+
+TEST(Pair_halfedges, finds_what_a_search_of_all_pairs_finds)
+{
+  // Random triangles: edges of one, two and more triangles, of any direction, and triangles that repeat a
+  // vertex.
+  std::mt19937 random(11);
+  for (const Index vertices : {4u, 9u, 30u}) {
+    std::vector<std::array<Index, 3>> triangles;
+    for (int t = 0; t < 60; ++t)
+      triangles.push_back(
+          {Index(random() % vertices), Index(random() % vertices), Index(random() % vertices)});
+    for (std::array<Index, 3>& t : triangles)
+      for (Index& v : t)
+        v += 1000; // numbers need not begin with 0
+    EXPECT_EQ(internal::opposite_halfedges(triangles), opposites_by_search(triangles));
+  }
+  // A vertex of many edges, listed in an order that is not that of their other ends.
+  std::vector<std::array<Index, 3>> fan;
+  constexpr Index n = 101;
+  for (Index k = 0; k < n; ++k)
+    fan.push_back({0, 1 + 37 * k % n, 1 + 37 * (k + 1) % n});
+  const std::vector<Index> opposite = internal::opposite_halfedges(fan);
+  EXPECT_EQ(opposite, opposites_by_search(fan));
+  EXPECT_EQ(std::count(opposite.begin(), opposite.end(), no_index), std::ptrdiff_t(n));
+  EXPECT_TRUE(internal::opposite_halfedges({}).empty());
 }
 
 } // namespace

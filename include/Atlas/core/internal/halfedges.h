@@ -7,36 +7,69 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <utility>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace Atlas::internal {
 
+/// A halfedge of an edge whose ends are known but for one.
+struct Half_of_edge
+{
+  Index other_end, halfedge;
+
+  bool operator<(const Half_of_edge& e) const { return other_end < e.other_end; }
+};
+
+/// Sorts what is small as a rule: the halfedges of the edges at one vertex.
+inline void sort_few(std::span<Half_of_edge> list)
+{
+  constexpr std::size_t few = 24;
+  if (list.size() > few)
+    return std::sort(list.begin(), list.end());
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const Half_of_edge moved = list[i];
+    std::size_t k = i;
+    for (; k > 0 && moved < list[k - 1]; --k)
+      list[k] = list[k - 1];
+    list[k] = moved;
+  }
+}
+
 /// Pairs halfedges that run between the same two vertices in opposite directions, where there are exactly two
 /// of them; all others keep what they have. `tail(h)` and `head(h)` give vertex numbers. Halfedges listed in
-/// `candidates` take part. O(n log n).
+/// `candidates` take part. Linear in these and in the range of the numbers, but for vertices of very many
+/// edges.
 template <typename Tail, typename Head>
 void pair_halfedges(const std::vector<Index>& candidates, Tail tail, Head head, std::vector<Index>& opposite)
 {
-  std::vector<std::pair<std::uint64_t, Index>> edges;
-  edges.reserve(candidates.size());
+  const auto lesser_end = [&](Index h) { return std::min<Index>(tail(h), head(h)); };
+  Index least = no_index, most = 0;
   for (const Index h : candidates) {
-    const std::uint64_t a = tail(h), b = head(h);
-    if (a != b)
-      edges.emplace_back(std::min(a, b) << 32 | std::max(a, b), h);
+    least = std::min(least, lesser_end(h));
+    most = std::max(most, lesser_end(h));
   }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i + 1;
-    while (j < edges.size() && edges[j].first == edges[i].first)
-      ++j;
-    const Index g = edges[i].second;
-    if (j - i == 2 && tail(g) == head(edges[i + 1].second)) {
-      opposite[g] = edges[i + 1].second;
-      opposite[edges[i + 1].second] = g;
+  const std::size_t range = candidates.empty() ? 0 : std::size_t(most) - least + 1;
+  std::vector<std::size_t> end(range + 1, 0); // per vertex: where the edges end whose lesser end it is
+  for (const Index h : candidates)
+    ++end[lesser_end(h) - least + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Half_of_edge> edges(candidates.size());
+  for (const Index h : candidates) // from now on, end[v] is where the next one of v goes
+    edges[end[lesser_end(h) - least]++] = {std::max<Index>(tail(h), head(h)), h};
+  for (std::size_t v = 0, i = 0; v < range; ++v) {
+    sort_few(std::span(edges).subspan(i, end[v] - i));
+    while (i < end[v]) {
+      std::size_t j = i + 1;
+      while (j < end[v] && edges[j].other_end == edges[i].other_end)
+        ++j;
+      const Index g = edges[i].halfedge;
+      if (j - i == 2 && edges[i].other_end != v + least && tail(g) == head(edges[i + 1].halfedge)) {
+        opposite[g] = edges[i + 1].halfedge;
+        opposite[edges[i + 1].halfedge] = g;
+      }
+      i = j;
     }
-    i = j;
   }
 }
 
