@@ -50,12 +50,13 @@ public:
   static constexpr Index border = Raster_mask::ring_width;
 
   Raster_page(Index columns, Index rows)
-      : columns_(columns + 2 * border), rows_(rows + 2 * border), words_(columns_ / 64 + 1)
+      : columns_(columns + 2 * border), rows_(rows + 2 * border), words_(columns_ / 64 + 1),
+        stride_(words_ <= most_narrow_words ? 2 * words_ : words_)
   {
     levels_ = 1;
     while ((Index(1) << levels_) <= columns_)
       ++levels_;
-    windows_.assign(levels_, std::vector<std::uint64_t>(std::size_t(rows_) * words_));
+    windows_.assign(levels_, std::vector<std::uint64_t>(std::size_t(rows_) * stride_));
     clear();
   }
 
@@ -136,10 +137,14 @@ public:
   }
 
 private:
-  std::uint64_t* row(Index level, Index y) { return windows_[level].data() + std::size_t(y) * words_; }
+  /// Rows of so many words are searched without loops over words; zeros follow them, so that shifts need not
+  /// heed their end.
+  static constexpr Index most_narrow_words = 4;
+
+  std::uint64_t* row(Index level, Index y) { return windows_[level].data() + std::size_t(y) * stride_; }
   const std::uint64_t* row(Index level, Index y) const
   {
-    return windows_[level].data() + std::size_t(y) * words_;
+    return windows_[level].data() + std::size_t(y) * stride_;
   }
   void set(Index x, Index y) { row(0, y)[x / 64] |= std::uint64_t(1) << (x % 64); }
 
@@ -190,6 +195,23 @@ private:
     for (Index w = last / 64 + 1; w < words_; ++w)
       result[w] = ~std::uint64_t(0);
     result[last / 64] |= beyond;
+    switch (words_) {
+    case 1:
+      return collide_narrow<1>(mask, y, result.data(), work);
+    case 2:
+      return collide_narrow<2>(mask, y, result.data(), work);
+    case 3:
+      return collide_narrow<3>(mask, y, result.data(), work);
+    case 4:
+      return collide_narrow<4>(mask, y, result.data(), work);
+    default:
+      return collide_wide(mask, y, result, work);
+    }
+  }
+
+  void collide_wide(const Raster_mask& mask, Index y, std::vector<std::uint64_t>& result,
+                    std::uint64_t& work) const
+  {
     for (std::size_t i = 0; i < mask.runs.size(); ++i) {
       const auto& run = mask.runs[i];
       const Index level = static_cast<Index>(std::bit_width(run.end - run.begin) - 1);
@@ -202,6 +224,32 @@ private:
           std::all_of(result.begin(), result.end(), [](std::uint64_t w) { return w == ~std::uint64_t(0); }))
         return;
     }
+  }
+
+  /// The same in registers.
+  template <Index Words>
+  void collide_narrow(const Raster_mask& mask, Index y, std::uint64_t* result, std::uint64_t& work) const
+  {
+    std::uint64_t hit[Words];
+    std::copy(result, result + Words, hit);
+    const auto add = [&](const std::uint64_t* from, Index shift) {
+      from += shift / 64;
+      const Index bits = shift % 64;
+      for (Index w = 0; w < Words; ++w)
+        hit[w] |= from[w] >> bits | from[w + 1] << 1 << (63 - bits);
+    };
+    for (std::size_t i = 0; i < mask.runs.size(); ++i) {
+      const auto& run = mask.runs[i];
+      const Index level = static_cast<Index>(std::bit_width(run.end - run.begin) - 1);
+      const std::uint64_t* from = row(level, y + run.row);
+      add(from, run.begin);
+      if (run.end - run.begin > Index(1) << level)
+        add(from, run.end - (Index(1) << level));
+      work += 2 * Words;
+      if (i % 4 == 3 && std::all_of(hit, hit + Words, [](std::uint64_t w) { return w == ~std::uint64_t(0); }))
+        break;
+    }
+    std::copy(hit, hit + Words, result);
   }
 
   /// Looks at the corners of the free space in row `y`; tells whether the row has a free place.
@@ -246,7 +294,7 @@ private:
     return mask.ring_pixels > 0 ? double(count) / mask.ring_pixels : 0;
   }
 
-  Index columns_, rows_, words_, levels_;
+  Index columns_, rows_, words_, stride_, levels_; ///< a row takes `stride_` words, of which it uses `words_`
   std::vector<std::vector<std::uint64_t>> windows_; ///< per level k: or of 2^k pixels from each on
   mutable std::vector<std::uint64_t> below_, here_, above_;
 };

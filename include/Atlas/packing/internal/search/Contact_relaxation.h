@@ -220,14 +220,14 @@ private:
     for (Index k = 0; k < from.nodes.size();) {
       const auto& node = from.nodes[k];
       work_ += 12;
-      if (to.field.sample(place(node.centre)).distance - place.unit * node.radius > horizon) {
+      if (to.field.lower_bound(place(node.centre)) - place.unit * node.radius > horizon) {
         k = node.skip;
         continue;
       }
       if (node.skip == k + 1) {
         work_ += 12 * (node.end - node.begin);
         for (Index i = node.begin; i < node.end; ++i)
-          if (to.field.sample(place(from.samples[i])).distance <= horizon)
+          if (to.field.lower_bound(place(from.samples[i])) <= horizon)
             list.push_back(i);
       }
       ++k;

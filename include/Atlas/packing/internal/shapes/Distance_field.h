@@ -117,6 +117,18 @@ public:
     return {d, true, k, fx, fy};
   }
 
+  /// The distance of `sample(p)` alone, for inner loops.
+  double lower_bound(Vec2 p) const
+  {
+    const double gx = (p.x - origin_.x) * nodes_per_unit_, gy = (p.y - origin_.y) * nodes_per_unit_;
+    if (!(gx >= 0 && gy >= 0 && gx < nx_ - 1 && gy < ny_ - 1))
+      return sample(p).distance;
+    const int ix = static_cast<int>(gx), iy = static_cast<int>(gy);
+    const double fx = gx - ix, fy = gy - iy;
+    const float *low = distance_.data() + std::size_t(iy) * nx_ + ix, *high = low + nx_;
+    return (1 - fy) * ((1 - fx) * low[0] + fx * low[1]) + fy * ((1 - fx) * high[0] + fx * high[1]);
+  }
+
   /// The distance, from above outside the grid.
   double estimate(Vec2 p) const
   {
