@@ -8,7 +8,7 @@ ATLAS_LIBRARY_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libeigen3-dev l
 ATLAS_EXAMPLE_PACKAGES=("${ATLAS_LIBRARY_PACKAGES[@]}" libcli11-dev)
 ATLAS_PYTHON_PACKAGES=(pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools
                        python3-wheel)
-ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags pkgconf "${ATLAS_PYTHON_PACKAGES[@]}")
+ATLAS_TEST_PACKAGES=(libgtest-dev libsuitesparse-dev libassimp-dev universal-ctags pkgconf valgrind "${ATLAS_PYTHON_PACKAGES[@]}")
 # The package for browsers, and the browser that tests it.
 ATLAS_WASM_PACKAGES=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libtinygltf-dev nlohmann-json3-dev)
 ATLAS_BROWSER_PACKAGES=(chromium)
