@@ -175,6 +175,29 @@ TEST(DistortionBounds, ASlitOpensAConeAndLeavesOneChart)
   EXPECT_NEAR(report.seam_length, std::hypot(1, 1.5), 0.3) << "from the border to about the tip";
 }
 
+TEST(DistortionBounds, ShortSlitsLowerTheTailOfTheWholeSurface)
+{
+  double before = 0, after = 0, seam_before = 0, seam_after = 0;
+  for (const Soup& soup : {sphere(4), ellipsoid(2), glove()}) {
+    const Surface surface = surface_of(soup);
+    const auto report_with = [&](double wanted) {
+      Policies policies = preset();
+      policies.repair.wanted_stretch = wanted;
+      std::vector<Point_2> uv;
+      return generate_atlas(surface, uv, parameters::policies(policies));
+    };
+    const Atlas_report plain = report_with(infinite), slit = report_with(1.15);
+    EXPECT_TRUE(slit.is_valid());
+    before += plain.distortion.stretch_p99;
+    after += slit.distortion.stretch_p99;
+    seam_before += plain.seam_length;
+    seam_after += slit.seam_length;
+  }
+  EXPECT_LT(after, before - 0.03);
+  EXPECT_GT(seam_after, seam_before);
+  EXPECT_LT(seam_after, 1.2 * seam_before);
+}
+
 TEST(DistortionBounds, ChartsThatBeginBeyondTheBoundAreSplit)
 {
   Soup open = sphere(4);

@@ -78,6 +78,10 @@ struct Repair_options
   /// Whether charts are optimised after they have been accepted, as the paper does, not before. An optimised
   /// chart that the validator refuses stays as it was.
   bool optimize_accepted = false;
+  /// Charts are opened by short slits where more of the whole surface than the bound on stretch leaves out
+  /// would be stretched farther than this, and a slit is worth its length: greater than 1; infinity: never.
+  /// Only where the segmentation has such a bound, and mirrored charts do not stay mirrored.
+  double wanted_stretch = std::numeric_limits<double>::infinity();
 
   /// The paper's: only splitting.
   static constexpr Repair_options paper() { return {false, never, never, true}; }

@@ -11,7 +11,9 @@
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_slitter.h>
+#include <Atlas/pipeline/internal/Tail_slitter.h>
 #include <Atlas/pipeline/internal/close_cuts.h>
+#include <Atlas/pipeline/internal/joined_charts.h>
 #include <Atlas/pipeline/internal/tiny_charts.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
@@ -36,8 +38,6 @@ namespace Atlas::internal {
 class Chart_flattener
 {
 public:
-  /// The share of what a bound on a mean allows beyond 1 that charts may use which take in pieces of others.
-  static constexpr double share_for_joined_charts = 0.6;
   /// Splits for the bound on distortion have to lower what exceeds it by this factor ...
   static constexpr double least_gain_of_splits = 0.8;
   /// ... within so many generations of pieces: a surface that is rough at the scale of its triangles is not
@@ -69,6 +69,7 @@ public:
     flatten(std::move(all));
     if (policies_.repair.rejoin_pieces)
       rejoin();
+    slit_tails();
     close_cuts();
   }
 
@@ -246,13 +247,31 @@ private:
     const auto accept = [&](const Flattened_chart& joined, const Flattened_chart& a,
                             const Flattened_chart& b) {
       return (joined.verdict.is_valid() || are_all_beyond_bound(joined, a, b)) &&
-             (is_no_worse(joined.chart, a.chart, b.chart) || (is_tiny(a) && !is_unrolled(b)));
+             (is_no_worse(joined.chart, a.chart, b.chart, bound_) || (is_tiny(a) && !is_unrolled(b)));
     };
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
     rejoined_pieces_ =
         Fragment_merger(surface_, segmentation_, charts_, flatten, accept, work_of_joining, execution_)
             .run(pieces);
     close_gaps(segmentation_, charts_);
+  }
+
+  /// Slits charts where much of the surface is stretched farther than wanted; not those of a segmentation
+  /// without a bound, which are what they are for other reasons.
+  void slit_tails()
+  {
+    if (!std::isfinite(policies_.repair.wanted_stretch) || !(bound_.stretch_share < 1) ||
+        execution_.is_cancelled())
+      return;
+    const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
+    const auto lay_flat = [this](Chart& chart) {
+      Flattening_record record;
+      const Chart_status status = policies_.parameterizer.parameterize(chart, execution_, record);
+      return status == Chart_status::valid ? policies_.optimizer.optimize(chart, execution_) : status;
+    };
+    Tail_slitter(surface_, segmentation_, policies_.repair.wanted_stretch, bound_.stretch_share, flatten,
+                 lay_flat, execution_)
+        .run(charts_);
   }
 
   /// Glues cuts that are none in the plane: charts with holes are discs only while they are flattened.
@@ -265,29 +284,6 @@ private:
     for (Flattened_chart& f : charts_)
       if (f.chart.uv.size() == f.chart.points.size())
         closer(f.chart, local);
-  }
-
-  /// Pieces of a chart that was split in vain may find together again.
-  static bool are_all_beyond_bound(const Flattened_chart& joined, const Flattened_chart& a,
-                                   const Flattened_chart& b)
-  {
-    return joined.verdict.status == Chart_status::bound_exceeded &&
-           a.verdict.status == Chart_status::bound_exceeded &&
-           b.verdict.status == Chart_status::bound_exceeded;
-  }
-
-  /// Whether a chart has no more distortion than the two it came from have on average, or keeps well within
-  /// the bound.
-  bool is_no_worse(const Chart& joined, const Chart& a, const Chart& b) const
-  {
-    const auto distortion = [&](const Chart& chart) {
-      return value(measure_distortion(chart), bound_.measure);
-    };
-    const double area_a = area_3d(a), area_b = area_3d(b);
-    const double mean = (area_a * distortion(a) + area_b * distortion(b)) / (area_a + area_b);
-    // Means hide what is bad near the piece.
-    const double share = is_mean(bound_.measure) ? share_for_joined_charts : 1;
-    return distortion(joined) <= std::max(mean, 1 + share * (bound_.max - 1));
   }
 
   /// Gives the parts of a refused chart numbers of their own, and adds all of these to `changed`. False if

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#ifndef ATLAS_PIPELINE_INTERNAL_TAIL_SLITTER_H
+#define ATLAS_PIPELINE_INTERNAL_TAIL_SLITTER_H
+
+#include <Atlas/core/Execution.h>
+#include <Atlas/core/Surface.h>
+#include <Atlas/core/extract_charts.h>
+#include <Atlas/core/internal/Flattened_chart.h>
+#include <Atlas/core/internal/cuts.h>
+#include <Atlas/core/internal/edge_rules.h>
+#include <Atlas/core/internal/extract_triangles.h>
+#include <Atlas/measure/distortion.h>
+#include <Atlas/segmentation/internal/merging/merge_trial.h>
+#include <Atlas/segmentation/internal/surface/Seam_costs.h>
+#include <Atlas/validation/internal/Chart_ways.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Atlas::internal {
+
+/// How much of a flattened chart is stretched farther than wanted, as an area: a triangle counts for a part
+/// of its own, which grows from none a little below to all a little above.
+class Stretched_area
+{
+public:
+  explicit Stretched_area(double wanted) : low_(1 + 0.9 * (wanted - 1)), width_((wanted - 1) / 3) {}
+
+  /// Per triangle of the chart, at the scale at which it has its area in space.
+  std::vector<double> of_triangles(const Chart& chart) const
+  {
+    const std::vector<Triangle_distortion> measured = triangle_distortions(chart);
+    double in_space = 0, in_plane = 0;
+    for (const Triangle_distortion& t : measured)
+      if (t.is_measurable()) {
+        in_space += t.area_3d;
+        in_plane += t.area_uv;
+      }
+    const double scale = std::sqrt(in_plane / in_space);
+    std::vector<double> result(measured.size(), 0);
+    for (std::size_t i = 0; i < measured.size(); ++i)
+      if (const Triangle_distortion& t = measured[i]; t.is_measurable()) {
+        const double stretch = std::max(scale * t.largest, 1 / (scale * t.smallest));
+        result[i] = t.area_3d * std::clamp((stretch - low_) / width_, 0., 1.);
+      }
+    return result;
+  }
+
+  double operator()(const Chart& chart) const
+  {
+    const std::vector<double> parts = of_triangles(chart);
+    return std::accumulate(parts.begin(), parts.end(), 0.);
+  }
+
+private:
+  double low_, width_;
+};
+
+/// Whether the border of a flat chart keeps off itself by a share of the length of its edges.
+inline bool is_border_clear(const Chart& flat, double gap)
+{
+  std::vector<Border_edge> border;
+  const std::vector<Index> opposite = opposite_halfedges(flat.triangles);
+  for (Index h = 0; h < opposite.size(); ++h)
+    if (opposite[h] == no_index) {
+      const Index a = flat.triangles[h / 3][h % 3], b = flat.triangles[h / 3][next_halfedge(h) % 3];
+      border.push_back({flat.uv[a], flat.uv[b], a, b});
+    }
+  return is_clear(std::move(border), gap);
+}
+
+/// \brief Opens charts by short slits until little of the whole surface is stretched farther than wanted.
+///
+/// Charts that keep their bound may still have places that are stretched much. A slit from the border into
+/// such a place costs little seam. Of all charts the slit goes first that helps most for its length; it ends
+/// when the surface is good enough, or no slit is worth its length. Slits are found on coarse copies and
+/// proved on the charts themselves.
+class Tail_slitter
+{
+public:
+  /// Flattens and validates a chart.
+  using Flatten = std::function<Flattened_chart(Chart)>;
+  /// Only lays a chart flat. Called from several threads.
+  using Lay_flat = std::function<Chart_status(Chart&)>;
+
+  /// \param wanted  stretch that at most the part 1 - `share` of the surface may exceed
+  Tail_slitter(const Surface& surface, Segmentation& segmentation, double wanted, double share,
+               Flatten flatten, Lay_flat lay_flat, const Execution& execution)
+      : surface_(surface), segmentation_(segmentation), stretched_(wanted), share_(share),
+        flatten_(std::move(flatten)), lay_flat_(std::move(lay_flat)), execution_(execution),
+        area_(area_3d(surface)), costs_(surface, sharp_angle, sharp_discount),
+        local_(surface.number_of_triangles())
+  {}
+
+  /// Charts are those of the segmentation. Returns how many slits there are.
+  std::size_t run(std::vector<Flattened_chart>& charts)
+  {
+    const double enough = (1 - share_) * area_;
+    std::vector<Place> places(charts.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      if (charts[i].verdict.is_valid())
+        sum += places[i].stretched = stretched_(charts[i].chart);
+    if (!(sum > enough))
+      return 0;
+    execution_.for_each(charts.size(), [&](std::size_t i) { look_for_slit(charts[i].chart, places[i]); });
+    std::size_t slits = 0;
+    while (sum > enough && execution_.proceed(1)) {
+      const auto best = std::max_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
+        return a.slit.rate < b.slit.rate;
+      });
+      if (best->slit.rate < least_rate)
+        break;
+      Flattened_chart& chart = charts[static_cast<std::size_t>(best - places.begin())];
+      const double before = best->stretched;
+      const bool is_open = open(chart, *best);
+      slits += is_open;
+      sum += best->stretched - before;
+      ++(is_open ? best->opened : best->refused);
+      look_for_slit(chart.chart, *best);
+    }
+    return slits;
+  }
+
+private:
+  /// By which the share of the surface that is stretched too far has to fall for the length of a slit, in
+  /// roots of the surface's area.
+  static constexpr double least_rate = 0.02;
+  /// A chart with less stretched area than that share of the surface is good enough.
+  static constexpr double least_share = 5e-4;
+  /// More slits than that in one chart make a comb.
+  static constexpr int most_opened = 3, most_refused = 1;
+  /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
+  static constexpr std::size_t tries = 4;
+  static constexpr double triangles_of_copies = 1000;
+  /// Two edges of a border come no nearer than this share of their length.
+  static constexpr double least_gap = 0.05;
+  static constexpr double sharp_angle = std::numbers::pi / 4, sharp_discount = 0.4;
+
+  /// From a place on the border to one inside.
+  struct Slit
+  {
+    Point_3 start{0, 0, 0}, end{0, 0, 0};
+    double rate = 0;
+  };
+
+  /// What is known of one chart.
+  struct Place
+  {
+    double stretched = 0; ///< area
+    Slit slit;            ///< the best
+    int opened = 0, refused = 0;
+    std::vector<Point_3> known; ///< ends of slits that have been made or refused
+  };
+
+  /// Finds the best slit of a chart.
+  void look_for_slit(const Chart& chart, Place& place) const
+  {
+    place.slit = {};
+    if (place.stretched < least_share * area_ || place.opened >= most_opened || place.refused >= most_refused)
+      return;
+    Chart copy = coarse_copy(chart, triangles_of_copies);
+    if (copy.uv.empty() && lay_flat_(copy) != Chart_status::valid)
+      return;
+    std::vector<double> parts = stretched_.of_triangles(copy);
+    double before = std::accumulate(parts.begin(), parts.end(), 0.);
+    if (before < 0.5 * place.stretched) { // it lacks the details that matter
+      copy = chart;
+      parts = stretched_.of_triangles(copy);
+      before = place.stretched;
+    }
+    const Chart_ways graph(copy);
+    std::vector<Index> border;
+    for (Index v = 0; v < copy.number_of_vertices(); ++v)
+      if (graph.is_border(v))
+        border.push_back(v);
+    const Chart_ways::Ways ways = graph.from(border, [&](Index h) { return graph.length(h); });
+    for (const Index v : promising_ends(copy, graph, ways, parts, place.known)) {
+      const std::vector<Index> way = graph.way_to(ways, v);
+      const double gain = place.stretched * (1 - stretched_with(copy, graph, way) / before);
+      const double rate = gain / ways.cost[v] / std::sqrt(area_);
+      if (rate > place.slit.rate)
+        place.slit = {copy.points[graph.tail(way.back())], copy.points[v], rate};
+    }
+  }
+
+  /// Inner vertices apart from each other with much stretched area for their distance from the border.
+  static std::vector<Index> promising_ends(const Chart& chart, const Chart_ways& graph,
+                                           const Chart_ways::Ways& ways, const std::vector<double>& parts,
+                                           const std::vector<Point_3>& known)
+  {
+    std::vector<Index> stretched;
+    for (Index t = 0; t < parts.size(); ++t)
+      if (parts[t] > 0)
+        stretched.push_back(t);
+    std::vector<std::pair<double, Index>> order;
+    for (Index v = 0; v < chart.number_of_vertices(); ++v) {
+      if (graph.is_border(v) || !std::isfinite(ways.cost[v]))
+        continue;
+      double sum = 0;
+      for (const Index t : stretched)
+        for (const Index w : chart.triangles[t])
+          if (CGAL::squared_distance(chart.points[v], chart.points[w]) <= ways.cost[v] * ways.cost[v])
+            sum += parts[t] / 3;
+      if (sum > 0)
+        order.emplace_back(-sum / ways.cost[v], v);
+    }
+    std::sort(order.begin(), order.end());
+    constexpr double least_distance = 0.3; // of the longer one of two slits
+    std::vector<Index> ends;
+    for (const auto& entry : order) {
+      const Index v = entry.second;
+      const auto is_near = [&](Index w) {
+        const double reach = least_distance * std::max(ways.cost[v], ways.cost[w]);
+        return CGAL::squared_distance(chart.points[v], chart.points[w]) < reach * reach;
+      };
+      if (std::none_of(ends.begin(), ends.end(), is_near) &&
+          std::find(known.begin(), known.end(), chart.points[v]) == known.end())
+        ends.push_back(v);
+      if (ends.size() == tries)
+        break;
+    }
+    return ends;
+  }
+
+  /// The stretched area of a chart that is cut along a way; infinite where it does not unfold well.
+  double stretched_with(const Chart& chart, const Chart_ways& graph, const std::vector<Index>& way) const
+  {
+    std::vector<Index> opposite = graph.opposite();
+    for (const Index h : way)
+      opposite[h] = opposite[graph.opposite()[h]] = no_index;
+    std::vector<Index> all(chart.number_of_triangles()), local(all.size());
+    std::iota(all.begin(), all.end(), Index(0));
+    Chart cut = extract_triangles(
+        opposite, all, local, [&](Index h) { return opposite[h] != no_index; },
+        [&](Index h) -> const Point_3& { return chart.points[graph.tail(h)]; });
+    if (lay_flat_(cut) != Chart_status::valid || !is_border_clear(cut, least_gap))
+      return std::numeric_limits<double>::infinity();
+    return stretched_(cut);
+  }
+
+  /// Makes the slit; takes it back if it does not help as it should.
+  bool open(Flattened_chart& f, Place& place)
+  {
+    const Slit slit = place.slit;
+    place.known.push_back(slit.end);
+    const Chart_ways graph(f.chart);
+    const std::vector<Index> way = way_of(slit, f.chart, graph);
+    for (const Index h : way)
+      set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
+    if (!way.empty()) {
+      Flattened_chart opened = flatten_(extract_chart(surface_, segmentation_, f.chart.source, local_));
+      const double now = opened.verdict.is_valid() ? stretched_(opened.chart) : place.stretched;
+      if (place.stretched - now >= least_rate * graph.length(way) * std::sqrt(area_)) {
+        place.stretched = now;
+        f = std::move(opened);
+        return true;
+      }
+    }
+    for (const Index h : way)
+      set_cut(surface_, segmentation_, of_surface(f.chart, h), false);
+    return false;
+  }
+
+  static Index of_surface(const Chart& chart, Index h) { return 3 * chart.source[h / 3] + h % 3; }
+
+  /// The cheapest way from the end of a slit to its start, or to a part of the border that is much nearer.
+  std::vector<Index> way_of(const Slit& slit, const Chart& chart, const Chart_ways& graph) const
+  {
+    constexpr double much_nearer = 0.7;
+    Index end = no_index;
+    for (Index v = 0; v < chart.number_of_vertices() && end == no_index; ++v)
+      if (chart.points[v] == slit.end && !graph.is_border(v))
+        end = v;
+    if (end == no_index)
+      return {};
+    const Chart_ways::Ways ways = graph.from({end}, [&](Index h) {
+      const Index g = of_surface(chart, h);
+      return must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity() : costs_(g).cost;
+    });
+    Index best = no_index;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index v = 0; v < chart.number_of_vertices(); ++v)
+      if (graph.is_border(v)) {
+        const double cost = ways.cost[v] * (chart.points[v] == slit.start ? much_nearer : 1);
+        if (cost < least) {
+          least = cost;
+          best = v;
+        }
+      }
+    return graph.way_to(ways, best);
+  }
+
+  const Surface& surface_;
+  Segmentation& segmentation_;
+  Stretched_area stretched_;
+  double share_;
+  Flatten flatten_;
+  Lay_flat lay_flat_;
+  const Execution& execution_;
+  double area_; ///< of the surface
+  Seam_costs costs_;
+  std::vector<Index> local_; ///< scratch: per triangle of the surface
+};
+
+} // namespace Atlas::internal
+
+#endif
