@@ -80,20 +80,26 @@ public:
     return std::move(best_);
   }
 
-  /// Makes all cuts of a forest that knows what they are worth.
+  /// Makes all cuts of a forest that knows what they are worth, or the better half of them.
   ///
   /// \param seam  the length of all borders between charts
-  /// \return none if the density does not rise that much
+  /// \return none if the density does not rise by what that length and the pieces are worth
   std::optional<Cut_charts> trade(double coverage, double seam, double exchange_rate)
   {
     while (forest_.cut()) {
     }
-    const double added = forest_.added_length() / seam;
-    double most = coverage;
-    if (forest_.cuts().empty() ||
-        std::sqrt(try_now(most, 1) / coverage) < 1 + std::max(exchange_rate * added, least_gain))
-      return std::nullopt;
-    return std::move(best_);
+    const std::vector<Index> cuts = forest_.cuts(); // in the order in which they were made, the best first
+    std::size_t left = cuts.size();
+    for (int i = 0; i < trials_of_trade && left > 0; ++i) {
+      const double added = forest_.added_length() / seam;
+      Cut_charts now = packed_now();
+      const double gain = std::sqrt(now.packed.coverage / coverage) - 1;
+      if (gain >= std::max(exchange_rate * added, gain_of_cut * static_cast<double>(left)))
+        return now;
+      for (const std::size_t half = left / 2; left > half; --left)
+        forest_.set_cut(cuts[left - 1], false);
+    }
+    return std::nullopt;
   }
 
   /// Cuts charts that are larger than a page until all have the density that they are packed at.
@@ -121,8 +127,10 @@ public:
   bool is_exhausted() const { return is_exhausted_; }
 
 private:
-  /// Cuts that raise the density by less may as well owe it to luck.
-  static constexpr double least_gain = 0.005;
+  /// Each cut has to raise the density by that much: few charts are worth something too.
+  static constexpr double gain_of_cut = 0.01;
+  /// With all cuts, then with half of them.
+  static constexpr int trials_of_trade = 2;
 
   Cut_charts packed_now()
   {
