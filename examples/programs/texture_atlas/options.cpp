@@ -104,7 +104,7 @@ void add_coverage_options(CLI::App& app, Options& options)
   app.add_option(
          "--seam-exchange-rate", options.seam_exchange_rate,
          "Cut charts where that gives so many per cent more texels per unit for each per cent of added "
-         "seam, both relative; 0: never. Default: in the mode `standard` 0.4, on pages less than 78 % full, "
+         "seam, both relative; 0: never. Default: in the mode `standard` 0.5, on pages less than 75 % full, "
          "with seams at most 6 % longer, or 35 % where that fills a page to 65 %; "
          "else never; never with --max-charts, --min-chart-texels, --symmetry, --segmentation, --density "
          "or --keep-uv")

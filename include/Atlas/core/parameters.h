@@ -72,7 +72,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
   /// Charts are cut where the density of texels rises by at least so many per cent for each per cent of added
   /// seam, 0: never. `min_coverage` goes before. Default: that of the mode, see `seam_exchange_rate()` of
-  /// `presets.h`, where pages are less than 78 % full, with seams at most 6 % longer, or at twice that rate;
+  /// `presets.h`, where pages are less than 75 % full, with seams at most 6 % longer, or at twice that rate;
   /// and with seams within the surface at most 35 % longer where that fills pages to 65 %. Never where
   /// policies are given one by one, or with `max_charts`, `min_chart_texels`, `symmetry`, a density, or
   /// options of pages per chart.

@@ -41,12 +41,12 @@ inline const char* name(Atlas_mode mode)
 Merge_options merge_options(Atlas_mode mode);
 
 /// At which rate the charts of a mode are cut for fuller pages, see `seam_exchange_rate` of `parameters.h`:
-/// 0.4 in `standard`, never in other modes.
+/// 0.5 in `standard`, never in other modes.
 double seam_exchange_rate(Atlas_mode mode);
 /// By that share seams get longer at most where charts are cut without being asked to.
 inline constexpr double default_added_seam = 0.06;
 /// Pages of which charts cover that share are left as they are then: few charts are worth more than the rest.
-inline constexpr double default_full_coverage = 0.78;
+inline constexpr double default_full_coverage = 0.75;
 /// Pages of which charts cover less than that are rather empty.
 inline constexpr double default_empty_coverage = 0.65;
 /// By that share seams within the surface get longer at most where that ends that pages are rather empty.

@@ -85,7 +85,7 @@ ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
 
 ATLAS_INLINE double seam_exchange_rate(Atlas_mode mode)
 {
-  return mode == Atlas_mode::standard ? 0.4 : 0;
+  return mode == Atlas_mode::standard ? 0.5 : 0;
 }
 
 ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symmetry symmetry)
