@@ -33,11 +33,11 @@ trap 'rm -rf "$folder"' EXIT
 
 # count MESH: how many instructions the program takes for it.
 count() {
-  if ! valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" >"$folder/$1.log" 2>&1; then
+  if ! valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null "$program" "$1" >"$folder/$1.log" 2>&1; then
     cat "$folder/$1.log" >&2
     return 1
   fi
-  sed -n 's/^==.*Collected : *\([0-9]*\).*/\1/p' "$folder/$1.log" >"$folder/$1.count"
+  sed -n 's/^==.* I *refs: *//p' "$folder/$1.log" | tr -d , >"$folder/$1.count"
   [ -s "$folder/$1.count" ]
 }
 
