@@ -38,7 +38,6 @@ public:
   {
     int packings = most_packings, retractions = most_retractions; ///< on the way up, and on the way back
     double added_length = std::numeric_limits<double>::infinity();
-    int fruitless = most_packings; ///< packings one after the other that are no fuller than those before
   };
   /// Packings at most: on the way up, and on the way back.
   static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
@@ -55,8 +54,7 @@ public:
   {
     double most = coverage, room = forest_.room();
     std::size_t enough = 0, few = 0;
-    int fruitless = 0;
-    for (int i = 0; i < limits.packings && most < wanted && fruitless < limits.fruitless; ++i) {
+    for (int i = 0; i < limits.packings && most < wanted; ++i) {
       // The room that charts need times what of it is covered hardly changes by few cuts.
       const double goal = room * coverage / wanted;
       few = number_of_cuts_;
@@ -74,9 +72,7 @@ public:
       if (forest_.added_length() > limits.added_length)
         break;
       room = forest_.room();
-      const double before = most;
       coverage = try_now(most, wanted);
-      fruitless = most > before ? 0 : fruitless + 1;
       enough = number_of_cuts_;
     }
     if (most >= wanted)

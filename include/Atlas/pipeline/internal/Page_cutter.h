@@ -73,7 +73,7 @@ public:
 
 private:
   /// What of a search for an asked coverage is done where none is asked for.
-  static constexpr int packings_of_trade = 6, retractions_of_trade = 3, fruitless_packings_of_trade = 2;
+  static constexpr int packings_of_trade = 6, retractions_of_trade = 3;
   /// What the density may lose by rounding.
   static constexpr double density_lost = 1e-9;
 
@@ -113,8 +113,8 @@ private:
     const double most_added = trade_.most_added_when_empty * (seam - half_of_surface_borders());
     Coverage_search search = search_in(Cut_forest(
         surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
-    std::optional<Cut_charts> cut = search.reach(
-        coverage, wanted, {packings_of_trade, retractions_of_trade, most_added, fruitless_packings_of_trade});
+    std::optional<Cut_charts> cut =
+        search.reach(coverage, wanted, {packings_of_trade, retractions_of_trade, most_added});
     if (!cut || cut->packed.coverage < wanted)
       return std::nullopt;
     const double added = half_of_borders(cut->flattened) - seam;
