@@ -141,9 +141,10 @@ TEST(RepeatedParts, LeaveOtherSurfacesAsTheyAre)
   const Surface surface = joined({dented(sphere(3)), torus(14, 9)});
   Page_options page;
   std::vector<Point_2> uv;
-  const Atlas_report plain = generate_atlas(surface, uv, parameters::page_options(page));
+  const auto uncut = parameters::seam_exchange_rate(0); // what is cut for a page depends on the packing
+  const Atlas_report plain = generate_atlas(surface, uv, uncut.page_options(page));
   page.stacking = Chart_stacking::copies;
-  const Atlas_report stacked = generate_atlas(surface, uv, parameters::page_options(page));
+  const Atlas_report stacked = generate_atlas(surface, uv, uncut.page_options(page));
   EXPECT_TRUE(stacked.is_valid());
   EXPECT_EQ(stacked.face_chart, plain.face_chart);
 }

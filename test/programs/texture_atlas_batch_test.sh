@@ -112,7 +112,7 @@ usemtl paint
 f 1/1 2/2 3/3 4/4
 MESH
 echo textured.obj >list.txt
-batch 1 textures --bake texture
+batch 0 textures --bake texture # without the library it is grey
 printf 'newmtl paint\nKd 1 0 0\n' >textured.mtl
 batch 0 textures --bake texture
 summary textures "1 now, 0 before, 0 failed"
