@@ -169,8 +169,8 @@ EMSCRIPTEN_KEEPALIVE const char* wasm_error(const Wasm_scene* scene)
 }
 
 /// \param arrays addresses of positions, indices, face sizes, coordinates of vertices, those of corners,
-/// pages, materials, seams, forbidden seams, visibilities and selected faces; 0: none \param sizes position type, stride, and the numbers
-/// of vertices, faces and the seams
+/// pages, materials, seams, forbidden seams, visibilities and selected faces; 0: none \param sizes position
+/// type, stride, and the numbers of vertices, faces and the seams
 EMSCRIPTEN_KEEPALIVE int wasm_add_mesh(Wasm_scene* scene, void* const* arrays, const unsigned* sizes)
 {
   atlas_mesh mesh;
