@@ -62,7 +62,8 @@ def test_options_have_their_effect():
     assert charts(*box()) == 1 and charts(*box(), segmentation="normals") == 3
     for wrong in (
         dict(segmentation="none"), dict(parameterizer="abf", solver="cg"), dict(segmentation="seams", max_charts=2),
-        dict(packer=3), dict(keep_uv=True, optimizer="mips"),
+        dict(packer=3), dict(keep_uv=True, optimizer="mips"), dict(only_given_seams=True, max_charts=2),
+        dict(only_given_seams=True, segmentation="features"),
     ):
         with pytest.raises((ValueError, TypeError)):
             charts(*box(), add=dict(uvs=np.zeros((8, 2))), **wrong)

@@ -6,38 +6,15 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
-#include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
 
-#include "test_meshes.h"
+#include "cgal_meshes.h"
 #include <map>
 
 namespace Atlas::test {
 namespace {
 
-using Surface_mesh = CGAL::Surface_mesh<Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-template <typename Mesh>
-Mesh mesh_of_cube()
-{
-  const Soup soup = cube();
-  Surface_mesh surface_mesh;
-  std::vector<Surface_mesh::Vertex_index> v;
-  for (const Point_3& p : soup.points)
-    v.push_back(surface_mesh.add_vertex(p));
-  for (const auto& polygon : soup.polygons) {
-    std::vector<Surface_mesh::Vertex_index> corners;
-    for (const Index i : polygon)
-      corners.push_back(v[i]);
-    surface_mesh.add_face(corners);
-  }
-  Mesh mesh;
-  CGAL::copy_face_graph(surface_mesh, mesh);
-  return mesh;
-}
 
 template <typename Mesh>
 class Pack_charts_of_mesh : public testing::Test
@@ -48,7 +25,7 @@ TYPED_TEST_SUITE(Pack_charts_of_mesh, Meshes);
 TYPED_TEST(Pack_charts_of_mesh, repacks_the_coordinates_of_halfedges)
 {
   using Traits = boost::graph_traits<TypeParam>;
-  const TypeParam mesh = mesh_of_cube<TypeParam>();
+  const TypeParam mesh = mesh_of<TypeParam>(cube());
   std::map<typename Traits::halfedge_descriptor, Point_2> uv;
   std::map<typename Traits::face_descriptor, int> chart, page;
   // All faces cover the same unit square; face number k is k + 1 times as large. The first has none.
@@ -110,7 +87,7 @@ TYPED_TEST(Pack_charts_of_mesh, repacks_the_coordinates_of_halfedges)
 
 TEST(Pack_charts_of_mesh_errors, leaves_coordinates_alone_where_there_is_no_room)
 {
-  const Surface_mesh mesh = mesh_of_cube<Surface_mesh>();
+  const Surface_mesh mesh = mesh_of<Surface_mesh>(cube());
   std::map<Surface_mesh::Halfedge_index, Point_2> uv;
   const std::vector<Point_2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const auto f : faces(mesh)) {

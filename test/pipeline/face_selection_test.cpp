@@ -7,14 +7,11 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
-#include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
 
 #include <Eigen/Core>
 
-#include "test_meshes.h"
+#include "cgal_meshes.h"
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,26 +23,6 @@
 
 namespace Atlas::test {
 namespace {
-
-using Surface_mesh = CGAL::Surface_mesh<Point_3>;
-
-template <typename Mesh>
-Mesh mesh_of(const Soup& soup)
-{
-  Surface_mesh mesh;
-  std::vector<Surface_mesh::Vertex_index> v;
-  for (const Point_3& p : soup.points)
-    v.push_back(mesh.add_vertex(p));
-  for (const auto& polygon : soup.polygons) {
-    std::vector<Surface_mesh::Vertex_index> corners;
-    for (const Index i : polygon)
-      corners.push_back(v[i]);
-    EXPECT_NE(mesh.add_face(corners), Surface_mesh::null_face());
-  }
-  Mesh result;
-  CGAL::copy_face_graph(mesh, result);
-  return result;
-}
 
 template <typename Mesh>
 using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;

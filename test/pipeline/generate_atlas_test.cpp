@@ -14,12 +14,9 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
-#include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
 
-#include "test_meshes.h"
+#include "cgal_meshes.h"
 #include <array>
 #include <cmath>
 #include <map>
@@ -27,31 +24,7 @@
 namespace Atlas::test {
 namespace {
 
-using Surface_mesh = CGAL::Surface_mesh<Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-Surface_mesh surface_mesh_of(const Soup& soup)
-{
-  Surface_mesh mesh;
-  std::vector<Surface_mesh::Vertex_index> v;
-  for (const Point_3& p : soup.points)
-    v.push_back(mesh.add_vertex(p));
-  for (const auto& polygon : soup.polygons) {
-    std::vector<Surface_mesh::Vertex_index> corners;
-    for (const Index i : polygon)
-      corners.push_back(v[i]);
-    EXPECT_NE(mesh.add_face(corners), Surface_mesh::null_face());
-  }
-  return mesh;
-}
-
-template <typename Mesh>
-Mesh mesh_of(const Soup& soup)
-{
-  Mesh mesh;
-  CGAL::copy_face_graph(surface_mesh_of(soup), mesh);
-  return mesh;
-}
 
 template <typename Mesh>
 class GenerateAtlas : public testing::Test

@@ -88,16 +88,15 @@ public:
   {
     while (forest_.cut()) {
     }
-    const std::vector<Index> cuts = forest_.cuts(); // in the order in which they were made, the best first
-    std::size_t left = cuts.size();
-    for (int i = 0; i < trials_of_trade && left > 0; ++i) {
+    const std::vector<Index> cuts = forest_.cuts(); // the best first
+    number_of_cuts_ = cuts.size();
+    for (int i = 0; i < trials_of_trade && number_of_cuts_ > 0; ++i) {
       const double added = forest_.added_length() / seam;
       Cut_charts now = packed_now();
       const double gain = std::sqrt(now.packed.coverage / coverage) - 1;
-      if (gain >= std::max(exchange_rate * added, gain_of_cut * static_cast<double>(left)))
+      if (gain >= std::max(exchange_rate * added, gain_of_cut * static_cast<double>(number_of_cuts_)))
         return now;
-      for (const std::size_t half = left / 2; left > half; --left)
-        forest_.set_cut(cuts[left - 1], false);
+      set_number(cuts, number_of_cuts_ / 2);
     }
     return std::nullopt;
   }
@@ -152,23 +151,27 @@ private:
     return coverage;
   }
 
-  /// Cuts are numbered in the order in which they were made: `few` are not enough, `enough` are.
+  /// Takes cuts back, or makes them again, until there are the first so many. They are numbered in the order
+  /// in which they were made.
+  void set_number(const std::vector<Index>& order, std::size_t number)
+  {
+    for (; number_of_cuts_ > number; --number_of_cuts_)
+      forest_.set_cut(order[number_of_cuts_ - 1], false);
+    for (; number_of_cuts_ < number; ++number_of_cuts_)
+      forest_.set_cut(order[number_of_cuts_], true);
+  }
+
+  /// `few` cuts are not enough, `enough` are.
   void take_back(std::size_t few, std::size_t enough, double wanted, int retractions)
   {
     double most = wanted;
-    std::vector<Index> order = forest_.cuts();
-    const auto set_number = [&](std::size_t number) {
-      for (; number_of_cuts_ > number; --number_of_cuts_)
-        forest_.set_cut(order[number_of_cuts_ - 1], false);
-      for (; number_of_cuts_ < number; ++number_of_cuts_)
-        forest_.set_cut(order[number_of_cuts_], true);
-    };
+    const std::vector<Index> order = forest_.cuts();
     for (int i = 0; i < most_halvings && few + 1 < enough; ++i) {
       const std::size_t middle = (few + enough) / 2;
-      set_number(middle);
+      set_number(order, middle);
       (try_now(most, wanted) >= wanted ? enough : few) = middle;
     }
-    set_number(enough);
+    set_number(order, enough);
     const std::vector<Index> last = forest_.last_cuts();
     for (int i = 0; i < std::min(retractions, static_cast<int>(last.size())); ++i) {
       forest_.set_cut(last[i], false);

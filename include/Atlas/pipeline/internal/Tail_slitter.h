@@ -63,19 +63,6 @@ private:
   double low_, width_;
 };
 
-/// Whether the border of a flat chart keeps off itself by a share of the length of its edges.
-inline bool is_border_clear(const Chart& flat, double gap)
-{
-  std::vector<Border_edge> border;
-  const std::vector<Index> opposite = opposite_halfedges(flat.triangles);
-  for (Index h = 0; h < opposite.size(); ++h)
-    if (opposite[h] == no_index) {
-      const Index a = flat.triangles[h / 3][h % 3], b = flat.triangles[h / 3][next_halfedge(h) % 3];
-      border.push_back({flat.uv[a], flat.uv[b], a, b});
-    }
-  return is_clear(std::move(border), gap);
-}
-
 /// \brief Opens charts by short slits until little of the whole surface is stretched farther than wanted.
 ///
 /// Charts that keep their bound may still have places that are stretched much. A slit from the border into

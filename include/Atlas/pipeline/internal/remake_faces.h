@@ -81,10 +81,8 @@ public:
     }
     place(part, report.segmentation, packing, w, h, fresh);
     summarize(report, kept, packing, page, fresh);
-    Certificate_options options;
-    options.width = page.width;
-    options.height = page.height;
-    options.gutter = gutter_of_kept(page, execution);
+    Certificate_options options{.width = page.width, .height = page.height, .gutter = page.gutter};
+    options.gutter = gutter_of_kept(options, execution);
     report.certificate = certify(surface_, result_, report.face_page, options, execution);
     report.status = report.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
     corner_uv = std::move(result_);
@@ -119,17 +117,12 @@ private:
 
   /// The gutter that can be asked for: what stays may be nearer to each other, or touch where what was
   /// between is unwrapped.
-  double gutter_of_kept(const Page_options& page, const Execution& execution) const
+  double gutter_of_kept(const Certificate_options& options, const Execution& execution) const
   {
     if (kept_triangles_.empty())
-      return page.gutter;
-    Certificate_options options;
-    options.width = page.width;
-    options.height = page.height;
-    options.gutter = page.gutter;
-    const Atlas_certificate kept =
-        certify(rest_, uv_, std::vector<Index>(surface_.number_of_faces, 0), options, execution);
-    return std::min({page.gutter, kept.chart_distance, 2 * std::max(0., kept.page_border_distance)});
+      return options.gutter;
+    const Atlas_certificate kept = certify(rest_, uv_, {}, options, execution);
+    return std::min({options.gutter, kept.chart_distance, 2 * std::max(0., kept.page_border_distance)});
   }
 
   /// Puts the first charts on their pages, and writes their coordinates.

@@ -188,13 +188,12 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   check_wishes(request);
   check_given_seams(request);
   check_selection(request);
-  const Any_packer packer = policies_of(surface, request).packer; // faults of policies show before the work
+  const Policies policies = policies_of(surface, request); // faults of policies show before the work
   Page_options page = request.page;
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
     page.rotation = Chart_rotation::free; // the paper stands charts upright by their diameters
-  const auto run = [&](const Surface& input, std::vector<Point_2>& uv) {
-    const Policies policies = policies_of(input, request);
-    return Atlas_pipeline(input, policies, page, request.wishes, cut_trade(request), shared_parts(request),
+  const auto run = [&](const Surface& input, const Policies& of_input, std::vector<Point_2>& uv) {
+    return Atlas_pipeline(input, of_input, page, request.wishes, cut_trade(request), shared_parts(request),
                           request.threads, request.progress)
         .run(uv);
   };
@@ -204,9 +203,13 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
       const Execution execution(request.threads, [&](double fraction) {
         return !request.progress || request.progress(Stage::packing, fraction);
       });
-      report = Face_remaker(input, *request.selection, corner_uv)(run, packer, page, execution, corner_uv);
+      const auto run_part = [&](const Surface& part, std::vector<Point_2>& uv) {
+        return run(part, policies_of(part, request), uv);
+      };
+      report = Face_remaker(input, *request.selection, corner_uv)(run_part, policies.packer, page, execution,
+                                                                  corner_uv);
     } else {
-      report = run(input, corner_uv);
+      report = run(input, policies, corner_uv);
     }
     if (request.has_only_given_seams && !report.charts.empty())
       report.added_seams = added_seams(input, report.segmentation);

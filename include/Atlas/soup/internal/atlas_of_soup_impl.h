@@ -59,7 +59,7 @@ ATLAS_INLINE Merge_options merge_options_of(const Soup_options& options)
   return merge;
 }
 
-/// Refuses wishes for merging where charts are not merged.
+/// Refuses wishes for merging where charts are not merged. \param value  of the argument, and a space
 inline void require_nothing_to_merge(const Soup_options& options, const char* argument,
                                      const std::string& value)
 {
@@ -68,7 +68,7 @@ inline void require_nothing_to_merge(const Soup_options& options, const char* ar
                         options.symmetry != Symmetry::off;
   if (has_wish)
     throw Invalid_argument(argument,
-                           value + " merges no charts: measure, max_distortion, max_stretch, max_charts, "
+                           value + "merges no charts: measure, max_distortion, max_stretch, max_charts, "
                                    "min_chart_texels and symmetry have no meaning");
 }
 
@@ -77,7 +77,12 @@ inline void check_stages(const Soup_options& options)
 {
   check(options.stages);
   if (!options.stages.segmentation.empty())
-    require_nothing_to_merge(options, "segmentation", '\'' + options.stages.segmentation + '\'');
+    require_nothing_to_merge(options, "segmentation", '\'' + options.stages.segmentation + "' ");
+  if (options.has_only_given_seams) {
+    require_nothing_to_merge(options, "only_given_seams", "");
+    require(options.stages.segmentation.empty() && !options.keeps_uv && !options.merges_uv,
+            "only_given_seams", "goes neither with a segmentation nor with charts that there are");
+  }
   Stage_names but_packer = options.stages;
   but_packer.packer.clear();
   require(!options.selection || (!options.keeps_uv && !options.merges_uv), "selected",
@@ -95,7 +100,7 @@ inline Policies policies_of(const Soup_options& options)
   check_stages(options);
   const bool is_paper = options.mode == Atlas_mode::paper;
   if (is_paper)
-    require_nothing_to_merge(options, "mode", "paper");
+    require_nothing_to_merge(options, "mode", "paper ");
   Policies policies = is_paper ? paper_preset(Exact_validator(default_max_area_ratio, 0))
                                : preset(options.mode, merge_options_of(options), options.symmetry);
   set_stages(options.stages, options.mode, options.effort, policies);
@@ -114,10 +119,9 @@ inline std::optional<double> seam_exchange_rate_of(const Soup_options& options)
 }
 
 /// The policies that merge the charts of the soup's coordinates, and keep the shapes of all others.
-inline Policies merging_policies(const Soup_options& options, const Polygon_soup& model,
+inline Policies merging_policies(Policies policies, const Soup_options& options, const Polygon_soup& model,
                                  const Surface& surface)
 {
-  Policies policies = policies_of(options);
   Merge_options merge = merge_options_of(options);
   merge.are_borders_smoothed = false; // they are where the file has them
   const File_charts charts(surface, model.uv);
@@ -185,7 +189,7 @@ ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polyg
   else if (!surface.density_weight.empty())
     separate_weights(surface);
   if (options.merges_uv) {
-    const Policies merging = merging_policies(options, model, surface);
+    const Policies merging = merging_policies(policies, options, model, surface);
     return generate_atlas(surface, uv,
                           common.segmentation(merging.segmentation)
                               .parameterizer(merging.parameterizer)

@@ -50,6 +50,20 @@ inline double triangles_of_coarse_copies(const Merge_options& options)
   return std::max(least, charts_in_one * options.triangles_per_chart);
 }
 
+/// Whether the border of a flat chart keeps off itself: two edges come no nearer than this share of their
+/// length.
+inline bool is_border_clear(const Chart& flat, double gap)
+{
+  std::vector<Border_edge> border;
+  const std::vector<Index> opposite = opposite_halfedges(flat.triangles);
+  for (Index h = 0; h < opposite.size(); ++h)
+    if (opposite[h] == no_index) {
+      const Index a = flat.triangles[h / 3][h % 3], b = flat.triangles[h / 3][next_halfedge(h) % 3];
+      border.push_back({flat.uv[a], flat.uv[b], a, b});
+    }
+  return is_clear(std::move(border), gap);
+}
+
 /// Whether a chart stays within the bounds when it is flattened, as far as a coarse copy of it tells. A
 /// chart that does not get coarse, such as one full of spikes, is refused: this bounds the cost of a trial.
 inline bool is_acceptable(const Chart& chart, double whole_area, const Merge_options& options,
@@ -59,16 +73,8 @@ inline bool is_acceptable(const Chart& chart, double whole_area, const Merge_opt
   if (coarse.number_of_triangles() > options.max_trial_triangles || flatten(coarse) != Chart_status::valid ||
       !is_within_bound(coarse, options))
     return false;
-  if (!fills_hull(coarse, area_3d(chart) > options.max_area_share * whole_area, options))
-    return false;
-  std::vector<Border_edge> border;
-  const std::vector<Index> opposite = opposite_halfedges(coarse.triangles);
-  for (Index h = 0; h < opposite.size(); ++h)
-    if (opposite[h] == no_index) {
-      const Index a = coarse.triangles[h / 3][h % 3], b = coarse.triangles[h / 3][next_halfedge(h) % 3];
-      border.push_back({coarse.uv[a], coarse.uv[b], a, b});
-    }
-  return is_clear(std::move(border), options.min_gap);
+  return fills_hull(coarse, area_3d(chart) > options.max_area_share * whole_area, options) &&
+         is_border_clear(coarse, options.min_gap);
 }
 
 } // namespace Atlas::internal
