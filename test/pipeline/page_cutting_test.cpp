@@ -113,6 +113,17 @@ TEST(MinCoverage, FacesStayWhole)
     }
 }
 
+// A face whose corners repeat has flat triangles that hang together with nothing once their chart stands alone.
+TEST(SeamExchangeRate, FacesWithRepeatedVerticesStayWhole)
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {3, 2, 0}, {3, 3, 0}, {2, 1, 0}, {1, 2, 0}, {0, 3, 0}};
+  soup.polygons = {{0, 1, 2, 3, 4, 5}, {3, 2, 1, 3, 3, 0}, {4, 2, 3}};
+  const Result r = atlas_of(surface_of(soup), parameters::texture_size(32).gutter(1));
+  EXPECT_TRUE(r.report.is_valid());
+  EXPECT_LE(r.report.charts.size(), soup.polygons.size());
+}
+
 TEST(SeamExchangeRate, AStripThatSetsTheDensityIsCut)
 {
   const Surface strip = surface_of(squares(60, 1, [](int, int) { return true; }));

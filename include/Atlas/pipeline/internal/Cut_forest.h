@@ -7,6 +7,7 @@
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Flattened_chart.h>
+#include <Atlas/core/internal/Union_find.h>
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/measure/distortion.h>
@@ -225,6 +226,24 @@ private:
       cost[h] = is_possible ? costs_(g).cost : std::numeric_limits<double>::infinity();
     }
     node.cut = Chart_cut_finder(chart, cost, room_, most_cost(node)).best(execution_);
+    keep_faces_whole(chart, node.cut);
+  }
+
+  /// Parts that share a face become one. Triangles of a face need not hang together in a chart: flat ones of
+  /// a face with repeated vertices do not. If one part is left, there is no cut.
+  void keep_faces_whole(const Chart& chart, Chart_cut& cut) const
+  {
+    Union_find sets(cut.number_of_parts);
+    for (std::size_t t = 1; t < cut.parts.size(); ++t) // those of a face follow on each other
+      if (surface_.face[chart.source[t]] == surface_.face[chart.source[t - 1]])
+        sets.unite(cut.parts[t], cut.parts[t - 1]);
+    std::vector<Index> number;
+    const Index count = sets.number_sets(number);
+    if (count == cut.number_of_parts)
+      return;
+    for (Index& part : cut.parts)
+      part = number[part];
+    cut.number_of_parts = count > 1 ? count : 0;
   }
 
   /// Makes the cut of a node; false if there is none.
