@@ -143,7 +143,7 @@ Atlas_status Scene::generate(const Scene_options& options, const Progress& progr
   start(options, input);
   internal::Soup_options wishes = by_our_numbers(options);
   wishes.selection = selection();
-  if (options.keeps_uv || wishes.selection)
+  if (options.keeps_uv || options.merges_uv || wishes.selection)
     require_uv();
   hide_seams_of(input.surface, options);
   std::vector<Point_2> uv;

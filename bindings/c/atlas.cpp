@@ -189,6 +189,7 @@ bindings::Scene_options scene_options(const atlas_options& options)
   result.hard_angle = options.hard_angle;
   result.separates_materials = options.separate_materials != 0;
   result.keeps_uv = options.keep_uvs != 0;
+  result.merges_uv = options.defragment != 0;
   result.turns_faces = options.orient != 0;
   result.effort = value_of<Packing_effort>(options.effort, ATLAS_EFFORT_BEST, "effort");
   result.threads = options.threads;

@@ -208,6 +208,8 @@ typedef struct atlas_options
                          */
   double weld; /**< vertices nearer than this share of their mesh's size are one, in [0, 0.1]; 0: only equal
                   ones */
+  int defragment; /**< merge the charts that the coordinates of the meshes have, within the bounds; a chart
+                     that merges with none keeps its shape */
 } atlas_options;
 
 /** The figures of the atlas. */

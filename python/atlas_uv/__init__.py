@@ -40,6 +40,7 @@ name                      default       meaning
 ``separate_materials``    False         no chart has faces of two materials
 ``only_given_seams``      False         charts are what seams, angles and materials make, whatever their distortion
 ``keep_uv``               False         keep the shapes of the charts that the meshes' own coordinates have
+``defragment``            False         merge the charts of the meshes' own coordinates within the bounds; all others keep theirs
 ``hide_seams``            none          seams run where they are hardly seen: 'openness', 'view:AXIS', 'dome:AXIS', with an axis
                                         as '-y' or '0,1,1'; maps of your own are `visibility` of `Atlas.add_mesh`
 ``segmentation``          the mode's    who makes charts, which are not merged then: 'seams' (nobody: yours alone, and what discs
@@ -434,8 +435,8 @@ def bake(
 
     :param what: 'colors' of the vertices; 'normals', those given or smooth ones, in the space of the model;
         'tangent-normals', the same in the frames of MikkTSpace; the old 'texture', to which `source_uvs` belong; ambient
-        'occlusion'
-    :param source: another mesh, whose surface is shown: its colours, normals, texture or occlusion
+        'occlusion'; the 'displacement' of the source along the normals, height x width floats in the unit of the mesh
+    :param source: another mesh, whose surface is shown: its colours, normals, texture or occlusion, or where it is
     :param cage: how far the source is looked for along normals, as a share of its diagonal; beyond, and for 0, at its nearest point
 
     Occlusion and sources are there only where the module was built with CGAL's AABB tree, which is under the GPL: not by pip.
@@ -552,7 +553,7 @@ def _soup(mesh: _Mesh, uvs: Any, normals: Any, colors: Any, pages: Any) -> Any:
     return _native.Soup(mesh.positions, mesh.face_sizes, mesh.indices, uvs, normals, colors, pages)
 
 
-_BAKES = ("colors", "normals", "tangent-normals", "texture", "occlusion")
+_BAKES = ("colors", "normals", "tangent-normals", "texture", "occlusion", "displacement")
 
 
 def _bake(

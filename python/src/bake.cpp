@@ -3,6 +3,7 @@
 #include "bake.h"
 
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/bake/internal/heights.h>
 #include <Atlas/bake/internal/nearest_texels.h>
 #include <Atlas/core/Packing.h>
 #ifdef ATLAS_PYTHON_OCCLUSION
@@ -12,6 +13,7 @@
 #include "arrays.h"
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -74,6 +76,13 @@ public:
     return bake_texture(soup_, size, shader(what, size, samples), page, execution);
   }
 
+  /// How far the other mesh is along the normals.
+  std::vector<float> heights(Image_size size, Index page, const Execution& execution) const
+  {
+    internal::require(place_ != nullptr, "source", "is needed: displacement is measured to another mesh");
+    return internal::heights_of_page(soup_, shown_, place_, size, page, execution);
+  }
+
 private:
   using Place = std::function<Bake_sample(const Bake_sample&)>;
 
@@ -123,6 +132,14 @@ py::array bake(Polygon_soup& soup, const std::string& what, std::size_t width, s
   if (what == "texture")
     source = source_textures(images, face_texture);
   Image image;
+  if (what == "displacement") {
+    const auto heights = std::make_shared<std::vector<float>>();
+    {
+      const py::gil_scoped_release unlocked;
+      *heights = Page_baker(soup, detail, cage, {}).heights(size, page, Execution(threads));
+    }
+    return view(*heights, heights, static_cast<py::ssize_t>(width), true);
+  }
   {
     const py::gil_scoped_release unlocked;
     if (what == "tangent-normals")

@@ -255,6 +255,7 @@ const std::map<std::string, Setter>& setters()
     all["separate_materials"] = flag(&Scene_options::separates_materials);
     all["only_given_seams"] = flag(&Scene_options::has_only_given_seams);
     all["keep_uv"] = flag(&Scene_options::keeps_uv);
+    all["defragment"] = flag(&Scene_options::merges_uv);
     all["orient"] = flag(&Scene_options::turns_faces);
     all["max_charts"] = [](Scene_options& o, const char* name, const py::handle& v) {
       o.max_charts = count_of<Index>(name, v);

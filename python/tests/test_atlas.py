@@ -185,6 +185,19 @@ def test_charts_that_exist_are_kept():
         assert np.allclose((kept - kept[0]) / scale, uvs - uvs[0], atol=1e-4)
 
 
+def test_charts_that_exist_merge():
+    positions, faces = torus(20, 12)
+    uvs = np.tile([[0, 0], [1, 0], [0, 1]], (len(faces), 1)) + 2 * np.repeat(np.arange(len(faces)), 3)[:, None]
+    atlas = atlas_uv.Atlas(defragment=True)
+    atlas.add_mesh(positions, faces, uvs=uvs)
+    report = atlas.generate()
+    assert report["is_valid"] and report["number_of_charts"] < len(faces) / 10
+    with pytest.raises(ValueError, match="uvs"):
+        corner_uvs(positions, faces, defragment=True)  # there is nothing to merge
+    with pytest.raises(ValueError, match="defragment"):
+        corner_uvs(positions, faces, uvs=uvs, defragment=True, symmetry="x")
+
+
 def test_verify_and_pack():
     uvs = np.array([[0.2, 0.2], [0.6, 0.2], [0.6, 0.6], [0.2, 0.6]])
     assert atlas_uv.verify(SQUARE, HALVES, uvs)["is_valid"]
@@ -397,6 +410,10 @@ def test_another_mesh_is_baked():
     assert (bake("normals") == [128, 204, 230]).all()
     assert abs(bake("tangent-normals") - [128, 204, 230]).max() <= 1
     assert (bake("texture")[:, 2:6, 0] == 0).all() and (bake("texture")[:, 10:14, 0] == 200).all()
+    heights = atlas_uv.bake(SQUARE, HALVES, uvs, what="displacement", source=source, size=(16, 8))
+    assert heights.shape == (8, 16) and heights.dtype == np.float32 and np.allclose(heights, 0.01)
+    with pytest.raises(ValueError, match="source"):
+        atlas_uv.bake(SQUARE, HALVES, uvs, what="displacement")
     assert (bake("colors", cage=0) == bake("colors")).all()  # the nearest points are those above
     atlas = atlas_uv.Atlas(texture_size=32)
     atlas.add_mesh(SQUARE, HALVES)

@@ -401,6 +401,11 @@ TEST(atlas_h, CoordinatesAreVerifiedPackedAndKept)
   EXPECT_EQ(result_of(good, 0).number_of_vertices, 4u);
   const Scene none = scene_of({box()});
   EXPECT_EQ(atlas_pack(none.get(), nullptr), ATLAS_INVALID_ARGUMENT);
+  options.defragment = 1; // charts either stay or merge
+  EXPECT_EQ(atlas_generate(good.get(), &options), ATLAS_INVALID_ARGUMENT);
+  options.keep_uvs = 0;
+  EXPECT_EQ(atlas_generate(good.get(), &options), ATLAS_OK);
+  EXPECT_EQ(atlas_generate(none.get(), &options), ATLAS_INVALID_ARGUMENT);
 }
 
 TEST(atlas_h, TheListenerCancels)

@@ -59,6 +59,7 @@ export interface Options {
   straighten?: boolean;
   separate_materials?: boolean;
   keep_uvs?: boolean;
+  defragment?: boolean;
   orient?: boolean;
   width?: number;
   height?: number;

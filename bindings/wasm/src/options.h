@@ -105,7 +105,8 @@ private:
            number(name, value, "min_coverage", o.min_coverage) ||
            number(name, value, "min_texels_per_chart", o.min_texels_per_chart) ||
            number(name, value, "seam_exchange_rate", o.seam_exchange_rate) ||
-           number(name, value, "only_given_seams", o.only_given_seams) || number(name, value, "weld", o.weld);
+           number(name, value, "only_given_seams", o.only_given_seams) ||
+           number(name, value, "weld", o.weld) || number(name, value, "defragment", o.defragment);
   }
 
   template <typename Number>

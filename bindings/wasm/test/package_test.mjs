@@ -161,6 +161,9 @@ test('options and arrays that few need', () => {
       assert.equal(again.generate({ width: 256, height: 256 }), true);
       assert.deepEqual(again.result(0).cornerUvs.slice(8), cornerUvs.slice(8));
     });
+    // Its six charts merge.
+    assert.ok(chartsOf({ ...box, cornerUvs }, { defragment: true }) < 6);
+    assert.throws(() => chartsOf(box, { defragment: true }), AtlasError);
   });
 });
 

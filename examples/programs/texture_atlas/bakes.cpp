@@ -4,34 +4,11 @@
 #include <Atlas/bake/internal/bake_texels.h>
 #include <Atlas/bake/internal/texel_shader.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace {
-
-const char* suffix_of(Bake what)
-{
-  switch (what) {
-  case Bake::colors:
-    return "_color.png";
-  case Bake::texture:
-    return "_texture.png";
-  case Bake::normals:
-    return "_normal.png";
-  case Bake::tangent_normals:
-    return "_tangent_normal.png";
-  case Bake::occlusion:
-    return "_occlusion.png";
-  case Bake::displacement:
-    return "_displacement.png";
-  }
-  return "";
-}
 
 Atlas::Bake_shader color_of(Atlas::Bake_normal normal)
 {
@@ -55,31 +32,31 @@ Atlas::Bake_shader shader_of(Bake what, const Atlas::Polygon_soup& mesh, Atlas::
   case Bake::occlusion:
     return Atlas::occlusion_shader(mesh);
   case Bake::displacement:
-    break; // see `Baker::bake_displacement()`
+    break; // see `Baker::heights()`
   }
   return {};
 }
 
-/// Where a place on a mesh is in space.
-Atlas::Point_3 point_of(const Atlas::Polygon_soup& mesh, const Atlas::Bake_sample& sample)
-{
-  const auto p = sample.mean<std::array<double, 3>>(
-      [&](Atlas::Index corner) -> const Atlas::Point_3& { return mesh.points[mesh.vertices[corner]]; });
-  return Atlas::Point_3(p[0], p[1], p[2]);
-}
-
-/// How far the place of a sample on another mesh is along the normal.
-auto height_of(const Atlas::Polygon_soup& model, const Atlas::Polygon_soup& detail,
-               const Atlas::Bake_place& place)
-{
-  return [&, normal = Atlas::shading_normal(model)](const Atlas::Bake_sample& sample) {
-    const Atlas::Vector_3 n = normal(sample);
-    const double length = std::sqrt(n.squared_length());
-    return length > 0 ? (point_of(detail, place(sample)) - point_of(model, sample)) * n / length : 0;
-  };
-}
-
 } // namespace
+
+const char* suffix_of(Bake what)
+{
+  switch (what) {
+  case Bake::colors:
+    return "_color.png";
+  case Bake::texture:
+    return "_texture.png";
+  case Bake::normals:
+    return "_normal.png";
+  case Bake::tangent_normals:
+    return "_tangent_normal.png";
+  case Bake::occlusion:
+    return "_occlusion.png";
+  case Bake::displacement:
+    return "_displacement.png";
+  }
+  return "";
+}
 
 Baker::Baker(const Options& options, const Input& input, Atlas::Image_size size)
     : input_(input), size_(size), is_seamless_(options.is_seamless)
@@ -103,18 +80,14 @@ Atlas::Bake_shader Baker::shader(Bake what) const
 
 Textures Baker::operator()(Bake what, const Atlas::Execution& execution) const
 {
-  Textures result{{}, suffix_of(what), {}, {}};
-  if (what == Bake::displacement)
-    bake_displacement(result, execution);
-  else
-    for (Atlas::Index page = 0; page < input_.models.whole().number_of_pages(); ++page)
-      result.pages.push_back(image(what, page, execution));
+  Textures result{{}, suffix_of(what), {}};
+  for (Atlas::Index page = 0; page < input_.models.whole().number_of_pages(); ++page)
+    result.pages.push_back(image(what, page, execution));
   if (is_seamless_ && !execution.is_cancelled()) {
     const Atlas::Texel_meaning meaning =
         what == Bake::tangent_normals ? Atlas::Texel_meaning::tangent_normals : Atlas::Texel_meaning::colors;
-    Atlas::Polygon_soup model = input_.models.whole();
-    if (meaning == Atlas::Texel_meaning::colors)
-      model.points = input_.surface.points; // neighbours are those that have been welded
+    const Atlas::Polygon_soup model =
+        meaning == Atlas::Texel_meaning::colors ? welded_model() : input_.models.whole();
     const Atlas::Seam_difference before = Atlas::seam_difference(model, result.pages, meaning);
     result.seams = {before, Atlas::make_seamless(model, result.pages, meaning, execution)};
   }
@@ -136,30 +109,20 @@ Atlas::Image Baker::image(Bake what, Atlas::Index page, const Atlas::Execution& 
   return Atlas::bake_texture(model, size_, shader(what), page, execution);
 }
 
-/// Heights are measured first, for the largest is white.
-void Baker::bake_displacement(Textures& result, const Atlas::Execution& execution) const
+Atlas::internal::Height_maps Baker::heights(std::optional<Atlas::internal::Seams_closed>& seams,
+                                            const Atlas::Execution& execution) const
 {
-  const Atlas::Polygon_soup& model = input_.models.whole();
-  const auto height = height_of(model, input_.detail, place_);
-  std::vector<std::vector<double>> heights;
-  double largest = 0;
-  for (Atlas::Index page = 0; page < model.number_of_pages(); ++page) {
-    std::vector<double>& here = heights.emplace_back(size_.width * size_.height, 0);
-    const auto measure = [&](const Atlas::Bake_sample& sample) { // each texel once
-      here[sample.texel] = height(sample);
-      return Atlas::Color{};
-    };
-    (void)Atlas::bake_texture(model, size_, measure, page, execution);
-    for (const double h : here)
-      largest = std::max(largest, std::abs(h));
-  }
-  for (Atlas::Index page = 0; page < model.number_of_pages(); ++page) {
-    const auto shade = [&](const Atlas::Bake_sample& sample) {
-      const double share = largest > 0 ? heights[page][sample.texel] / largest : 0;
-      const auto grey = static_cast<std::uint8_t>(std::lround(127.5 + 127.5 * share));
-      return Atlas::Color{grey, grey, grey};
-    };
-    result.pages.push_back(Atlas::bake_texture(model, size_, shade, page, execution));
-  }
-  result.displacement = largest;
+  Atlas::internal::Height_maps result =
+      Atlas::internal::bake_heights(input_.models.whole(), input_.detail, place_, size_, execution);
+  if (is_seamless_ && !execution.is_cancelled())
+    seams = close_seams(welded_model(), result, size_, execution);
+  return result;
+}
+
+/// The model whose neighbours are those that have been welded.
+Atlas::Polygon_soup Baker::welded_model() const
+{
+  Atlas::Polygon_soup model = input_.models.whole();
+  model.points = input_.surface.points;
+  return model;
 }

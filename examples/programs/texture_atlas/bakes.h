@@ -5,6 +5,7 @@
 
 #include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
+#include <Atlas/bake/internal/heights.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/image/Image.h>
 
@@ -13,20 +14,16 @@
 #include <string>
 #include <vector>
 
-/// How much the two sides of seams differed, and how much they still do.
-struct Seams_closed
-{
-  Atlas::Seam_difference before, after;
-};
-
 /// Pictures of all pages, and what their files are called.
 struct Textures
 {
   std::vector<Atlas::Image> pages;
   std::string suffix;
-  std::optional<Seams_closed> seams;  ///< if they were to be closed
-  std::optional<double> displacement; ///< what white stands for, outwards, and black, inwards
+  std::optional<Atlas::internal::Seams_closed> seams; ///< if they were to be closed
 };
+
+/// What files of that end in.
+const char* suffix_of(Bake what);
 
 namespace CLI {
 class App;
@@ -42,14 +39,22 @@ public:
   /// \param size  of the pages. The input must outlive the baker
   Baker(const Options& options, const Input& input, Atlas::Image_size size);
 
+  Atlas::Image_size size() const { return size_; }
+
+  /// Of all but the displacement.
   Textures operator()(Bake what, const Atlas::Execution& execution) const;
+
+  /// The heights of the mesh that has been given.
+  /// \param seams  output: set if they were to be closed
+  Atlas::internal::Height_maps heights(std::optional<Atlas::internal::Seams_closed>& seams,
+                                       const Atlas::Execution& execution) const;
 
   /// What a texel shows of that, without alpha.
   Atlas::Bake_shader shader(Bake what) const;
 
 private:
   Atlas::Image image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const;
-  void bake_displacement(Textures& result, const Atlas::Execution& execution) const;
+  Atlas::Polygon_soup welded_model() const;
 
   const Input& input_;
   Atlas::Image_size size_;

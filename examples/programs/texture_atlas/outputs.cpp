@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -67,7 +68,7 @@ Textures texture_of_model(const Options& options, const Atlas::Polygon_soup& mod
   const std::size_t side = std::min<std::size_t>(page.longer_side(), 4096);
   const Atlas::Image board =
       Atlas::checkerboard(page.with_longer_side(side), std::max<std::size_t>(side / 16, 2));
-  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png", {}, {}};
+  return {std::vector<Atlas::Image>(model.number_of_pages(), board), "_checkerboard.png", {}};
 }
 
 /// The pictures of several pages have the number of their tile in their name.
@@ -174,22 +175,37 @@ void add_models(Outputs& outputs, const Options& options, const Atlas::Joined_so
 }
 
 /// Adds what is to be said of the seams of a texture, if they have been closed.
-void tell_seams(const Textures& textures, Atlas::Json& json, std::vector<std::string>& lines)
+void tell_seams(const std::string& suffix, const std::optional<Atlas::internal::Seams_closed>& seams,
+                Atlas::Json& json, std::vector<std::string>& lines)
 {
-  if (!textures.seams)
+  if (!seams)
     return;
-  const auto& before = textures.seams->before.largest;
-  const auto& after = textures.seams->after.largest;
-  json.push_back({{"texture", textures.suffix},
-                  {"edges", textures.seams->after.seams},
+  const auto& before = seams->before.largest;
+  const auto& after = seams->after.largest;
+  json.push_back({{"texture", suffix},
+                  {"edges", seams->after.seams},
                   {"largest_difference_before", before},
                   {"largest_difference", after}});
   char line[200];
   std::snprintf(
       line, sizeof line,
       "%s: sides differ by at most %.2f, %.2f, %.2f of 255 at mip levels 0, 1, 2; were %.0f, %.0f, %.0f",
-      textures.suffix.c_str(), after[0], after[1], after[2], before[0], before[1], before[2]);
+      suffix.c_str(), after[0], after[1], after[2], before[0], before[1], before[2]);
   lines.emplace_back(line);
+}
+
+/// Adds the pages of heights. Returns the largest.
+double add_heights(Outputs& outputs, const fs::path& output, const Baker& bake, Atlas::Json& seams,
+                   std::vector<std::string>& lines, const Atlas::Execution& execution)
+{
+  std::optional<Atlas::internal::Seams_closed> closed;
+  const Atlas::internal::Height_maps heights = bake.heights(closed, execution);
+  std::vector<std::string> pngs;
+  for (std::size_t page = 0; page < heights.pages.size(); ++page)
+    pngs.push_back(png_of_heights(heights, page, bake.size()));
+  add_textures(outputs, output, pngs, suffix_of(Bake::displacement));
+  tell_seams(suffix_of(Bake::displacement), closed, seams, lines);
+  return heights.largest;
 }
 
 /// Which models there are, and where each starts in the lists of the report.
@@ -284,17 +300,17 @@ Written write_outputs(const Options& options, Input& input, const Atlas::Atlas_r
       Atlas::add_normals(model);
     const Baker bake(options, input, Atlas::Image_size(options.page.width, options.page.height));
     const Textures textures = texture_of_model(options, model, bake, execution);
-    tell_seams(textures, seams, written.seams);
+    tell_seams(textures.suffix, textures.seams, seams, written.seams);
     clear_baked_colors(options, input);
     add_models(outputs, options, input.models, textures);
-    for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion, Bake::displacement})
+    for (const Bake what : {Bake::normals, Bake::tangent_normals, Bake::occlusion})
       if (options.has(what)) {
         const Textures further = bake(what, execution);
         add_textures(outputs, output, pngs_of(further), further.suffix);
-        tell_seams(further, seams, written.seams);
-        if (further.displacement)
-          displacement = *further.displacement;
+        tell_seams(further.suffix, further.seams, seams, written.seams);
       }
+    if (options.has(Bake::displacement))
+      displacement = add_heights(outputs, output, bake, seams, written.seams, execution);
     add_pictures(outputs, options, model, textures, report);
   }
   Atlas::Json json = description(options, input.models);

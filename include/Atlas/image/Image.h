@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,6 +114,12 @@ Image checkerboard(Image_size size, std::size_t squares = 64);
 /// \brief The bytes of a PNG file, with alpha where the picture has it.
 /// \throw IO_error the picture is empty or too large for PNG
 std::string png_bytes(const Image& image);
+
+/// \brief The bytes of a grey PNG file of 16 bits, linear: for heights and the like.
+/// \param pixels  row by row, the top one first; as many as the size has
+/// \throw Invalid_argument there are more or less
+/// \throw IO_error the picture is empty or too large for PNG
+std::string png_bytes(std::span<const std::uint16_t> pixels, Image_size size);
 
 /// \brief Writes a PNG file, whole or not at all.
 /// \throw IO_error

@@ -72,10 +72,28 @@ inline void require_nothing_to_merge(const Soup_options& options, const char* ar
                                    "min_chart_texels and symmetry have no meaning");
 }
 
+/// Refuses what has no say where charts are those of the soup's coordinates, merged.
+inline void check_merging(const Soup_options& options)
+{
+  if (!options.merges_uv)
+    return;
+  require(!options.keeps_uv, "defragment",
+          "does not go with keep_uv: charts either merge or keep their shapes");
+  require(options.mode != Atlas_mode::paper, "defragment",
+          "does not go with the mode paper, which merges no charts");
+  require(!options.is_straightened && options.symmetry == Symmetry::off, "defragment",
+          "makes charts of those that there are: straighten and symmetry have no meaning");
+  const Stage_names& stages = options.stages;
+  require(stages.segmentation.empty() && stages.parameterizer.empty() && stages.solver.empty() &&
+              stages.pins.empty() && stages.optimizer.empty(),
+          "defragment", "makes charts of those that there are: of the stages only the packer has a meaning");
+}
+
 /// Refuses stages that cannot be, or that are not asked where charts keep their shapes.
 inline void check_stages(const Soup_options& options)
 {
   check(options.stages);
+  check_merging(options);
   if (!options.stages.segmentation.empty())
     require_nothing_to_merge(options, "segmentation", '\'' + options.stages.segmentation + "' ");
   if (options.has_only_given_seams) {

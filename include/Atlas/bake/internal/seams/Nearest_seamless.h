@@ -17,7 +17,7 @@
 namespace Atlas::internal {
 
 /// \brief The numbers in [0, 255] nearest to given ones, by least squares, with which the sides of seams see
-/// the same but for a tolerance; then whole numbers near them that keep it.
+/// the same but for a tolerance; then, where they have to be whole, whole numbers near them that keep it.
 ///
 /// The dual method of Hildreth (1957): one after the other, each equation that is not kept is brought back by
 /// the least change, and one that has changed more than it needs gives back.
@@ -25,8 +25,9 @@ class Nearest_seamless
 {
 public:
   /// \param ease  per number: how easily it changes, positive; 1 is usual
-  Nearest_seamless(const Seam_equations& equations, const std::vector<float>& ease)
-      : equations_(equations), ease_(ease)
+  /// \param are_whole  whether the numbers are whole in the end
+  Nearest_seamless(const Seam_equations& equations, const std::vector<float>& ease, bool are_whole)
+      : equations_(equations), ease_(ease), are_whole_(are_whole)
   {
     // Neighbours on a seam pull at the same texels: far from each other in the order, they agree sooner.
     std::vector<std::pair<std::uint32_t, Index>> keys;
@@ -44,7 +45,11 @@ public:
          ++pass) {
       approach(numbers, execution);
       for (double& number : numbers)
-        number = std::round(std::clamp(number, 0.0, 255.0));
+        number = std::clamp(number, 0.0, 255.0);
+      if (!are_whole_)
+        continue;
+      for (double& number : numbers)
+        number = std::round(number);
       for (int round = 0; round < most_repairs && !execution.is_cancelled(); ++round)
         if (!repair(numbers))
           break;
@@ -204,6 +209,7 @@ private:
 
   const Seam_equations& equations_;
   const std::vector<float>& ease_;
+  bool are_whole_;
   std::vector<Index> order_;
 };
 
