@@ -4,7 +4,7 @@
 include_guard(GLOBAL)
 set(CPACK_PACKAGE_NAME atlas-uv)
 set(CPACK_PACKAGE_VENDOR "The Atlas authors")
-set(CPACK_PACKAGE_CONTACT "The Atlas authors <atlas@localhost.localdomain>")
+set(CPACK_PACKAGE_CONTACT "The Atlas authors <atlas@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_RESOURCE_FILE_README ${PROJECT_SOURCE_DIR}/README.md)
