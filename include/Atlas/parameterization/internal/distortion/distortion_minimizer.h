@@ -107,6 +107,9 @@ public:
         is_fixed_[v] = 1;
   }
 
+  /// Lets a vertex stay where it is from now on.
+  void keep(Index v) { is_fixed_[v] = 1; }
+
   /// Goes on from another map if that is as valid and has less energy.
   bool adopt(std::vector<Complex> u)
   {
