@@ -200,6 +200,25 @@ TEST(Pins_of_arrays, stretch_one_chart_and_leave_others_as_they_are)
   EXPECT_GT(report.distortion.symmetric_dirichlet_mean, usual.distortion.symmetric_dirichlet_mean);
 }
 
+TEST(Pins_of_arrays, lead_a_chart_to_where_least_squares_conformal_maps_fold)
+{
+  const std::map<Index, Point_2> pins{{vertex(0, 0, 0), {0.3, 0.3}},  {vertex(0, 8, 0), {0.7, 0.3}},
+                                      {vertex(0, 8, 8), {0.7, 0.7}},  {vertex(0, 0, 8), {0.3, 0.7}},
+                                      {vertex(0, 3, 4), {0.58, 0.5}}, {vertex(0, 5, 4), {0.55, 0.37}}};
+  Arrays arrays(sheets(3), pins), conformal(sheets(3), pins);
+  const auto np = parameters::texture_size(512).gutter(4);
+  const Atlas_report report = generate_atlas(arrays.surface, arrays.uv, np.pinned_map(arrays.pins()));
+  ASSERT_TRUE(report.is_valid()) << message(report.certificate);
+  EXPECT_TRUE(report.moved_pins.empty());
+  EXPECT_TRUE(arrays.keeps(pins));
+  // The mode that keeps such maps as they are does not keep the pins.
+  const Atlas_report folded = generate_atlas(conformal.surface, conformal.uv,
+                                             np.mode(Atlas_mode::conformal).pinned_map(conformal.pins()));
+  ASSERT_TRUE(folded.is_valid()) << message(folded.certificate);
+  ASSERT_EQ(folded.moved_pins.size(), 1u);
+  EXPECT_EQ(folded.moved_pins[0].fault, Pin_fault::not_one_to_one);
+}
+
 TEST(Pins_of_arrays, are_places_on_pages_that_are_not_square)
 {
   Page_options page;
@@ -257,11 +276,9 @@ void expect_moved(const std::map<Index, Point_2>& pins, const std::map<Index, Po
 
 TEST(Pins_of_arrays, that_cannot_be_kept_are_told)
 {
-  // Two neighbours exchange their sides.
-  std::map<Index, Point_2> folding{{vertex(0, 0, 0), {0.2, 0.2}},
-                                   {vertex(0, 8, 0), {0.6, 0.2}},
-                                   {vertex(0, 4, 4), {0.4, 0.7}},
-                                   {vertex(0, 4, 8), {0.4, 0.4}}};
+  std::map<Index, Point_2> folding; // the border in a mirror
+  for (const auto& [v, p] : stretched)
+    folding[v] = Point_2(p.y(), p.x());
   expect_moved(folding, {}, 0, Pin_fault::not_one_to_one);
   const std::map<Index, Point_2> good{{vertex(2, 4, 4), {0.75, 0.75}}};
   folding.insert(good.begin(), good.end());
