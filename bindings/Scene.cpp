@@ -49,6 +49,7 @@ void check(const Scene_mesh& mesh)
   require_size(soup.face_material.size(), soup.number_of_faces(), "materials", "faces");
   require_size(soup.face_page.size(), soup.number_of_faces(), "pages", "faces");
   require_size(mesh.selected.size(), soup.number_of_faces(), "selected", "faces");
+  require_size(mesh.pinned.size(), soup.number_of_corners(), "pinned", "corners");
   require_size(mesh.visibility.size(), soup.points.size(), "visibility", "vertices");
   internal::require(std::all_of(mesh.visibility.begin(), mesh.visibility.end(),
                                 [](double seen) { return seen >= 0 && seen <= 1; }),
@@ -143,7 +144,8 @@ Atlas_status Scene::generate(const Scene_options& options, const Progress& progr
   start(options, input);
   internal::Soup_options wishes = by_our_numbers(options);
   wishes.selection = selection();
-  if (options.keeps_uv || options.merges_uv || wishes.selection)
+  wishes.pins = pins();
+  if (options.keeps_uv || options.merges_uv || wishes.selection || wishes.pins)
     require_uv();
   hide_seams_of(input.surface, options);
   std::vector<Point_2> uv;
@@ -313,6 +315,19 @@ std::optional<std::vector<bool>> Scene::selection() const
   for (const Scene_mesh& mesh : meshes_) {
     result.insert(result.end(), mesh.selected.begin(), mesh.selected.end());
     result.resize(result.size() + (mesh.selected.empty() ? mesh.soup.number_of_faces() : 0), true);
+  }
+  return result;
+}
+
+/// The corners of all meshes that keep their coordinates, if any do.
+std::optional<std::vector<bool>> Scene::pins() const
+{
+  if (std::all_of(meshes_.begin(), meshes_.end(), [](const auto& mesh) { return mesh.pinned.empty(); }))
+    return std::nullopt;
+  std::vector<bool> result;
+  for (const Scene_mesh& mesh : meshes_) {
+    result.insert(result.end(), mesh.pinned.begin(), mesh.pinned.end());
+    result.resize(result.size() + (mesh.pinned.empty() ? mesh.soup.number_of_corners() : 0), false);
   }
   return result;
 }

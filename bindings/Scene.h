@@ -43,6 +43,7 @@ struct Scene_mesh
   std::vector<double>
       visibility;             ///< per vertex, in [0, 1]: how much it is seen, or empty. \see `hide_seams()`
   std::vector<bool> selected; ///< per face: whether it is unwrapped anew; empty: all are
+  std::vector<bool> pinned;   ///< per corner: whether it keeps its coordinates; empty: none does
 };
 
 /// What became of a mesh.
@@ -117,6 +118,7 @@ private:
   void join_attributes(Input& input) const;
   void hide_seams_of(Surface& surface, const Scene_options& options) const;
   std::optional<std::vector<bool>> selection() const;
+  std::optional<std::vector<bool>> pins() const;
   internal::Soup_options by_our_numbers(const Scene_options& options) const;
   Progress within_time(const Scene_options& options, const Progress& progress);
   void require_uv() const;

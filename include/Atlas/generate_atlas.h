@@ -24,8 +24,8 @@ template <typename... More>
 using Atlas_names =
     Only_names<texture_size_t, gutter_t, page_options_t, mode_t, merge_options_t, max_charts_t,
                min_chart_texels_t, min_coverage_t, seam_exchange_rate_t, min_texels_per_chart_t, hard_angle_t,
-               only_given_seams_t, face_selection_map_t, hide_seams_t, straighten_t, symmetry_t, policies_t,
-               segmentation_t, parameterizer_t, optimizer_t, validator_t, splitter_t, packer_t,
+               only_given_seams_t, face_selection_map_t, pinned_map_t, hide_seams_t, straighten_t, symmetry_t,
+               policies_t, segmentation_t, parameterizer_t, optimizer_t, validator_t, splitter_t, packer_t,
                number_of_threads_t, progress_t, More...>;
 
 /// The policies of a pack.
@@ -103,7 +103,8 @@ Atlas_request atlas_request(const NamedParameters& np)
 /// soup.
 ///
 /// \param surface    what to map
-/// \param corner_uv  output (with `face_selection_map` input too): per corner of the input, in the order in
+/// \param corner_uv  output (with `face_selection_map` or `pinned_map` input too): per corner of the input,
+/// in the order in
 ///                   which the surface counts them, the coordinates
 ///                   in [0, 1]^2 of its page, origin bottom left; all of them are floats in value. Left as it
 ///                   is when the run is cancelled or there is no surface.
@@ -126,6 +127,14 @@ generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
     request.selection.emplace();
     for (Index f = 0; f < surface.number_of_faces; ++f)
       request.selection->push_back(get(internal::parameter<internal::face_selection_map_t>(np), f));
+  }
+  if constexpr (internal::has_parameter<internal::pinned_map_t,
+                                        CGAL::Named_function_parameters<T, Tag, Base>>) {
+    using Map = std::remove_cvref_t<decltype(internal::parameter<internal::pinned_map_t>(np))>;
+    static_assert(ReadableMap<Map, Index>, "pinned_map must be a readable map from numbers of corners");
+    request.pins.emplace();
+    for (Index c = 0; c < surface.number_of_corners; ++c)
+      request.pins->push_back(get(internal::parameter<internal::pinned_map_t>(np), c));
   }
   return internal::run_atlas(surface, request, corner_uv);
 }
@@ -170,6 +179,12 @@ generate_atlas(const Mesh& mesh, HalfedgeUVMap uv,
                   "with face_selection_map the map of coordinates must be readable, too");
     corner_uv = read_corner_uv(mesh, arrays, uv);
     request.selection = read_selection(arrays, parameter<face_selection_map_t>(np));
+  }
+  if constexpr (has_parameter<pinned_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
+    static_assert(ReadableHalfedgeUVMap<HalfedgeUVMap, Mesh>,
+                  "with pinned_map the map of coordinates must be readable, too");
+    corner_uv = read_corner_uv(mesh, arrays, uv);
+    request.pins = read_pins(mesh, arrays, parameter<pinned_map_t>(np));
   }
   const std::vector<Point_2> before = corner_uv; // what stays is not written again
   const Atlas_report report = run_atlas(arrays.surface, request, corner_uv);

@@ -80,7 +80,7 @@ import numpy as np
 
 from . import _native
 from ._arrays import Mesh as _Mesh
-from ._arrays import as_mesh, colors_of, corner_uvs, index_array, number_rows, per_face
+from ._arrays import as_mesh, colors_of, corner_flags, corner_uvs, index_array, number_rows, per_face
 
 __version__: str = _native.__version__
 __all__ = [
@@ -195,7 +195,7 @@ class Atlas:
     def add_mesh(
         self, mesh: Any, faces: Any = None, normals: Any = None, uvs: Any = None, *, uv_faces: Any = None,
         colors: Any = None, materials: Any = None, pages: Any = None, seams: Any = None, forbidden_seams: Any = None,
-        texture: Any = None, visibility: Any = None, selected: Any = None,
+        texture: Any = None, visibility: Any = None, selected: Any = None, pinned: Any = None,
     ) -> int:
         """Adds a mesh and returns its number.
 
@@ -211,6 +211,8 @@ class Atlas:
         :param forbidden_seams: edges that must not be seams, as far as topology allows
         :param texture: the picture that `uvs` are about, height x width x 3 or 4 bytes, the first row on top
         :param selected: per face, whether it is unwrapped anew; all others keep their `uvs`, in the unit square, to the bit
+        :param pinned: per vertex or corner, whether it keeps its `uvs`, in the unit square; charts follow. What could not be
+            kept is in `moved_pins` of the report
         :param visibility: how much each vertex is seen, in [0, 1]; seams run where it is small
         :raises ValueError: an array has the wrong shape, or names what does not exist
         """
@@ -228,6 +230,7 @@ class Atlas:
             seams=_edges(seams, "seams"),
             forbidden_seams=_edges(forbidden_seams, "forbidden_seams"),
             selected=None if selected is None else np.ascontiguousarray(selected, bool),
+            pinned=None if pinned is None else corner_flags(pinned, "pinned", m),
             visibility=None if visibility is None else np.ascontiguousarray(visibility, np.float64),
         )
         self._meshes.append(m)

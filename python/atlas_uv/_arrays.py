@@ -116,6 +116,17 @@ def corner_uvs(uvs: Any, uv_faces: Any, mesh: Mesh, name: str = "uvs") -> Option
     )
 
 
+def corner_flags(flags: Any, name: str, mesh: Mesh) -> np.ndarray:
+    """Booleans at corners, of those at vertices or at corners."""
+    array = np.ascontiguousarray(flags, bool).reshape(-1)
+    corners, vertices = len(mesh.indices), len(mesh.positions)
+    if len(array) == vertices and not (corners and mesh.indices.max() >= vertices):
+        return array[mesh.indices]
+    if len(array) == corners:
+        return array
+    raise ValueError(f"{name} must have an entry for each of the {vertices} vertices or {corners} corners, but have {len(array)}")
+
+
 def colors_of(colors: Any, vertices: int) -> Optional[np.ndarray]:
     """Red, green, blue and perhaps alpha per vertex, in [0, 1] or as bytes."""
     if colors is None:

@@ -172,15 +172,19 @@ void add_mesh(Scene& scene, const Array<double>& points, const Optional_array<In
               const Optional_array<double>& normals, const Optional_array<float>& colors,
               const Optional_array<Index>& pages, const Optional_array<Index>& materials,
               const Optional_array<Index>& seams, const Optional_array<Index>& forbidden_seams,
-              const Optional_array<double>& visibility, const Optional_array<bool>& selected)
+              const Optional_array<double>& visibility, const Optional_array<bool>& selected,
+              const Optional_array<bool>& pinned)
 {
   Scene_mesh mesh{make_soup(points, face_sizes, indices, uvs, normals, colors, pages),
                   edges(seams, "seams"),
                   edges(forbidden_seams, "forbidden_seams"),
                   {},
+                  {},
                   {}};
   if (selected)
     mesh.selected = values<bool>(*selected, "selected");
+  if (pinned)
+    mesh.pinned = values<bool>(*pinned, "pinned");
   if (visibility)
     mesh.visibility = values<double>(*visibility, "visibility");
   if (materials)
@@ -267,7 +271,7 @@ void define_scene(py::module_& m)
       .def(py::init<>())
       .def("add", &add_mesh, py::arg("positions"), py::arg("face_sizes"), py::arg("indices"), py::arg("uvs"),
            py::arg("normals"), py::arg("colors"), py::arg("pages"), py::arg("materials"), py::arg("seams"),
-           py::arg("forbidden_seams"), py::arg("visibility"), py::arg("selected"))
+           py::arg("forbidden_seams"), py::arg("visibility"), py::arg("selected"), py::arg("pinned"))
       .def("__len__", &Scene::size)
       .def("generate", &generate, py::arg("options"), py::arg("progress"))
       .def("pack", &pack, py::arg("options"), py::arg("progress"))

@@ -339,6 +339,31 @@ def test_faces_of_a_selection_are_unwrapped():
             atlas.generate()
 
 
+def test_pinned_vertices_stay():
+    positions, faces = torus()
+    pinned = np.zeros(len(positions), bool)
+    pinned[7] = True
+    uvs = np.where(pinned[:, None], 0.5, np.nan)
+    atlas = atlas_uv.Atlas(texture_size=512)
+    atlas.add_mesh(positions, faces, uvs=uvs, pinned=np.zeros(len(positions), bool))
+    atlas.add_mesh(positions[faces[0]] + 9, [[0, 1, 2]], uvs=[[0.25, 0.3], [0.5, 0.3], [0.3, 0.45]], pinned=[True] * 3)
+    report = atlas.generate()
+    assert report["is_valid"] and report["moved_pins"] == []
+    triangle = atlas.result(1).corner_uvs.reshape(-1, 2)
+    assert np.array_equal(triangle, np.array([[0.25, 0.3], [0.5, 0.3], [0.3, 0.45]], np.float32))
+    alone = atlas_uv.Atlas(texture_size=512)
+    alone.add_mesh(positions, faces, uvs=uvs, pinned=pinned[faces])
+    report = alone.generate()
+    moved = {corner for pins in report["moved_pins"] for corner in pins["corners"]}
+    kept = [c for c in np.flatnonzero(pinned[faces]) if c not in moved]
+    assert report["is_valid"] and (alone.result().corner_uvs.reshape(-1, 2)[kept] == 0.5).all()
+    for wrong, words in ((dict(pinned=pinned), "uvs"), (dict(pinned=pinned[1:], uvs=uvs), "pinned"), (dict(pinned=pinned, uvs=uvs + 5), r"\[0, 1\]")):
+        with pytest.raises(ValueError, match=words):
+            atlas = atlas_uv.Atlas()
+            atlas.add_mesh(positions, faces, **wrong)
+            atlas.generate()
+
+
 def test_given_seams_alone_make_the_charts():
     positions, faces = torus()
     # Two rings cut the torus into two bent tubes, which are no discs: a cut more for each.

@@ -62,6 +62,9 @@ for name, text in {
     "none.txt": "nothing here\n",
     "few.txt": "0.5\n1\n",
     "large.txt": "0.5\n1.5\n",
+    "pins.txt": "# two corners of the sheet\n1 0.3 0.25\n12 0.7 0.25\n",
+    "outside.txt": "1 0.9 0.9\n2 0.95 0.9\n",
+    "beyond.txt": "1 0.5 0.5\n12 1.5 0.25\n",
 }.items():
     open(name, "w").write(text)
 MESHES
@@ -128,6 +131,20 @@ refuse 3 'far.txt.*line 2.*99' box.obj -o a.obj --seams far.txt
 refuse 3 'word.txt.*line 1.*x' box.obj -o a.obj --seams word.txt
 refuse 3 'none.txt' box.obj -o a.obj --seams none.txt
 refuse 3 'missing.txt' box.obj -o a.obj --seams missing.txt
+
+# Pinned vertices.
+make sheet.obj --pinned pins.txt
+[ "$(value moved_pins)" -eq 0 ] || fail "pins have moved: $(cat stderr)"
+run 0 sheet.obj -o a.obj --texture-size 128 --threads 1 --pinned pins.txt
+grep -q '^vt 0.3\(0*\|00000012\) 0.25' a.obj && grep -q '^vt 0.7\|^vt 0.69999' a.obj || fail "no coordinates of pins: $(grep -m3 ^vt a.obj)"
+rm a.obj
+make sheet.obj --pinned outside.txt
+[ "$(value moved_pins)" -eq 1 ] && grep -q 'chart 0 could not stay' stderr || fail "a chart leaves the page, and nothing is said: $(cat stderr)"
+refuse 2 '--pinned.*--keep-uv' sheet.obj -o a.obj --pinned pins.txt --keep-uv
+refuse 2 '--pinned' box.obj sheet.obj -o a.obj --pinned pins.txt
+refuse 3 'beyond.txt.*line 2' sheet.obj -o a.obj --pinned beyond.txt
+refuse 3 'far.txt.*line 1' sheet.obj -o a.obj --pinned far.txt
+refuse 3 'none.txt' sheet.obj -o a.obj --pinned none.txt
 
 # Seams out of sight: by openness, viewers, colours and numbers.
 for hiding in openness view:0,0,1 view:-z dome:y colors seen.txt; do

@@ -85,7 +85,7 @@ class Reading_log
 public:
   explicit Reading_log(const Options& options)
   {
-    for (const std::string& file : {options.seams, options.hiding})
+    for (const std::string& file : {options.seams, options.pinned, options.hiding})
       if (const std::string digest = digest_of_file(file); !digest.empty())
         files_[file] = digest;
     Atlas::internal::reading_listener() = [this](const fs::path& path,

@@ -151,6 +151,11 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     constrain_seams(options.seams, model, surface);
   if (!options.hiding.empty())
     hide_seams(options, model, surface);
+  if (!options.pinned.empty()) {
+    Atlas::Polygon_soup pinned = model;
+    wishes.pins = pin_vertices(options.pinned, pinned);
+    return atlas_of_soup(wishes, pinned, surface, uv, progress);
+  }
   return options.only.empty()
              ? atlas_of_soup(wishes, model, surface, uv, progress)
              : remake_part(wishes, model, faces_to_unwrap(options, model), surface, uv, progress);

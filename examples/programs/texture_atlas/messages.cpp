@@ -106,6 +106,9 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
         "texture_atlas: %zu edges are seams besides those given: charts would not be discs, or cover "
         "themselves, without\n",
         report.added_seams);
+  for (const auto& [chart, fault, corners] : report.moved_pins)
+    std::fprintf(stderr, "texture_atlas: %zu pinned corners of chart %u could not stay: %s\n", corners.size(),
+                 chart, message(fault));
   if (options.keeps_document() && report.pages > 1)
     std::fprintf(stderr,
                  "texture_atlas: of the glTF document only the triangles of its scene and the names of "

@@ -87,6 +87,14 @@ void add_chart_options(CLI::App& app, Options& options)
       "z`) of those, which must be at the places of the mesh's");
 }
 
+void add_pinned_option(CLI::App& app, Options& options)
+{
+  app.add_option("--pinned", options.pinned,
+                 "A file of lines `vertex u v`: vertices of the mesh, counting from 1, that get these "
+                 "coordinates in [0, 1]. Their charts follow, and the others are packed around them. What "
+                 "cannot be kept is told");
+}
+
 void add_aspect_option(CLI::App& app, Options& options)
 {
   app.add_flag("--free-aspect", options.page.has_free_aspect,
@@ -202,6 +210,19 @@ void check_use_of_merging(const CLI::App& app, const Options& options)
       throw CLI::ValidationError(name, "has no meaning with " + named + ", whose charts are not merged");
 }
 
+/// Refuses options that have no meaning where vertices are pinned.
+void check_use_of_pinned(const CLI::App& app, const Options& options)
+{
+  if (options.pinned.empty())
+    return;
+  if (options.meshes.size() > 1)
+    throw CLI::ValidationError("--pinned", "speaks of the vertices of one mesh, but there are several");
+  for (const char* name :
+       {"--keep-uv", "--defragment", "--only", "--weight", "--stack", "--free-aspect", "--min-coverage"})
+    if (app.count(name) > 0)
+      throw CLI::ValidationError("--pinned", std::string("does not go with ") + name);
+}
+
 /// Refuses options that have no meaning with, or without, the coordinates of the file.
 void check_use_of_uv(const CLI::App& app, const Options& options)
 {
@@ -263,6 +284,7 @@ void declare_options(CLI::App& app, Options& options)
   add_stretch_options(app, options);
   add_stage_options(app, options.stages);
   add_input_options(app, options);
+  add_pinned_option(app, options);
   add_packing_options(app, options);
   add_aspect_option(app, options);
   add_coverage_options(app, options);
@@ -299,6 +321,7 @@ void complete_all(const CLI::App& app, Options& options)
   complete(options);
   check_use_of_uv(app, options);
   check_use_of_merging(app, options);
+  check_use_of_pinned(app, options);
   check(options.stages);
   if (options.page.has_free_aspect && app.count("--lock") > 0)
     throw CLI::ValidationError("--free-aspect", "locked charts have their places on a square page");

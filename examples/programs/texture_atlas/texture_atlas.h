@@ -31,6 +31,7 @@ struct Options : Packing_options
   Atlas::Symmetry symmetry = Atlas::Symmetry::off;
   Stage_choice stages;
   std::string seams;             ///< a file of them
+  std::string pinned;            ///< a file of vertices with their coordinates
   std::vector<std::string> only; ///< the materials that are unwrapped; empty: all
   std::string hiding;            ///< from whom seams are hidden
   double max_distortion = 0, hard_angle = 0, min_chart_texels = 0; ///< 0: not given
@@ -109,6 +110,10 @@ Input read_meshes(const Options& options);
 
 /// Makes seams of the edges in a file. \throw Atlas::IO_error if it cannot be read, or names what is no edge
 void constrain_seams(const std::string& file, const Atlas::Polygon_soup& model, Atlas::Surface& surface);
+
+/// Gives the vertices in a file of lines `vertex u v` their coordinates. \return per corner whether it has
+/// some of these \throw Atlas::IO_error if the file cannot be read, or names what is no vertex
+std::vector<bool> pin_vertices(const std::string& file, Atlas::Polygon_soup& model);
 
 /// Whether the text tells from whom seams are hidden: a keyword, with an axis where it needs one, or a file.
 bool is_hiding(const std::string& text);

@@ -124,6 +124,17 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::face_selection_map_t>(k);
   }
+  /// The corners that keep, to the bit, the coordinates that they have, in [0, 1]^2 of the first page: a
+  /// readable map of Booleans from halfedges (the corner at the target), or from vertices (all of their
+  /// corners); of flat arrays from numbers of corners. A chart with one such place is moved there as it is,
+  /// one with several is a least squares conformal map that has them, and the others are packed around.
+  /// Where a chart would not be valid, its pins move, and `Atlas_report::moved_pins` tells why. Default:
+  /// none.
+  template <typename K>
+  auto pinned_map(const K& k) const
+  {
+    return with<internal::pinned_map_t>(k);
+  }
   /// What seams cost per length: a readable map of positive numbers from edges or from vertices (an edge then
   /// costs the mean of its ends); 1 is usual. Seams keep away from what is dear: what is seen, or painted.
   template <typename K>
@@ -297,6 +308,8 @@ template <typename K> auto seam_cost_map(const K& k) { return Named_parameters<K
 template <typename K> auto only_given_seams(const K& k) { return Named_parameters<K, internal::only_given_seams_t>(k); }
 /// See `Named_parameters::face_selection_map()`.
 template <typename K> auto face_selection_map(const K& k) { return Named_parameters<K, internal::face_selection_map_t>(k); }
+/// See `Named_parameters::pinned_map()`.
+template <typename K> auto pinned_map(const K& k) { return Named_parameters<K, internal::pinned_map_t>(k); }
 /// See `Named_parameters::hide_seams()`.
 template <typename K> auto hide_seams(const K& k) { return Named_parameters<K, internal::hide_seams_t>(k); }
 /// See `Named_parameters::forbidden_seam_map()`.

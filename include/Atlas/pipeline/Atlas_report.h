@@ -96,6 +96,48 @@ inline const char* message(Excess_reason reason)
   return "unknown reason";
 }
 
+/// Why the pins of a chart could not be kept.
+enum class Pin_fault {
+  not_one_to_one,  ///< with them triangles of the chart flip, are flat or overlap; or they are all at one
+                   ///< place
+  outside_page,    ///< with them the chart leaves the page
+  covers_chart,    ///< with them the chart lies on another one that has pins, or stays
+  no_seam_between, ///< two corners of one vertex are pinned to two places, and no seam is between them
+  refused,         ///< the validator that was given refuses the chart
+  not_solved,      ///< the linear system of the map has no solution
+  no_room          ///< what is pinned leaves the other charts no room
+};
+
+/// A sentence for the user.
+inline const char* message(Pin_fault fault)
+{
+  switch (fault) {
+  case Pin_fault::not_one_to_one:
+    return "with its pins the chart would fold or overlap itself";
+  case Pin_fault::outside_page:
+    return "with its pins the chart would leave the page";
+  case Pin_fault::covers_chart:
+    return "with its pins the chart would lie on another that is pinned or stays";
+  case Pin_fault::no_seam_between:
+    return "corners of one vertex are pinned to two places, but no seam is between them";
+  case Pin_fault::refused:
+    return "the validator refuses the chart with its pins";
+  case Pin_fault::not_solved:
+    return "the linear system of the map with these pins could not be solved";
+  case Pin_fault::no_room:
+    return "what is pinned leaves no room for the other charts";
+  }
+  return "unknown fault";
+}
+
+/// \brief A chart that was laid out without its pins.
+struct Moved_pins
+{
+  Index chart = no_index;     ///< which one
+  Pin_fault fault = {};       ///< why
+  std::vector<Index> corners; ///< its pinned corners: of the input, sorted
+};
+
 /// \brief What became of one chart.
 struct Chart_report
 {
@@ -142,6 +184,8 @@ struct [[nodiscard]] Atlas_report
   std::size_t enlarged_charts = 0;      ///< how many charts are larger for `min_texels_per_chart`
   std::size_t stacked_charts = 0; ///< how many charts lie on a chart that they are a copy of, as asked for;
                                   ///< the certificate takes each such layer for a page of its own
+  std::vector<Moved_pins> moved_pins; ///< the charts of which pinned corners could not stay, in order; empty:
+                                      ///< all are where they were
 
   Distortion_bound bound; ///< what charts were merged under; infinite for segmentations without one
   std::size_t charts_beyond_bound = 0; ///< how many charts exceed it; each says why

@@ -150,6 +150,25 @@ std::vector<bool> read_selection(const Mesh_arrays<FaceListGraph>& view, FaceMap
   return result;
 }
 
+/// Per corner of the input whether it is pinned, from a map of halfedges or of vertices.
+template <typename FaceListGraph, typename PinMap>
+std::vector<bool> read_pins(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
+                            PinMap is_pinned)
+{
+  using Halfedge = typename Mesh_arrays<FaceListGraph>::Halfedge;
+  using Vertex = typename boost::graph_traits<FaceListGraph>::vertex_descriptor;
+  static_assert(ReadableMap<PinMap, Halfedge> || ReadableMap<PinMap, Vertex>,
+                "pinned_map must be a readable map from halfedges or from vertices");
+  std::vector<bool> result;
+  result.reserve(view.halfedges.size());
+  for (const auto h : view.halfedges)
+    if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<PinMap>::key_type>)
+      result.push_back(get(is_pinned, h));
+    else
+      result.push_back(get(is_pinned, target(h, mesh)));
+  return result;
+}
+
 template <typename FaceListGraph>
 void read_density_weights(Mesh_arrays<FaceListGraph>&, Param_not_found)
 {}

@@ -39,6 +39,8 @@ struct only_given_seams_t
 {};
 struct face_selection_map_t
 {};
+struct pinned_map_t
+{};
 struct forbidden_seam_map_t
 {};
 struct face_weight_map_t

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,25 +22,33 @@ inline constexpr double grid_cells = 16777216;
 /// \brief Rounds the coordinates of one chart to the grid, and mends the triangles that rounding turns over.
 ///
 /// Rounding can flatten or turn triangles of the size of a grid cell. A vertex of such a triangle is moved by
-/// up to three cells to where the worst of the triangles around it is best. Nothing else moves.
+/// up to three cells to where the worst of the triangles around it is best. Nothing else moves, and never a
+/// vertex that is fixed.
 class Grid_rounding
 {
 public:
-  explicit Grid_rounding(Chart& chart) : chart_(chart) {}
+  /// \param is_fixed  per vertex whether it stays as it is; empty: none does
+  explicit Grid_rounding(Chart& chart, std::vector<bool> is_fixed = {})
+      : chart_(chart), is_fixed_(std::move(is_fixed))
+  {
+    is_fixed_.resize(chart.number_of_vertices(), false);
+  }
 
   /// \return the triangles that remain flipped, and those that are flat though they have area in space;
   /// sorted.
   std::vector<Index> operator()()
   {
-    for (Point_2& p : chart_.uv)
-      p = Point_2(snap(p.x()), snap(p.y()));
+    for (std::size_t v = 0; v < chart_.uv.size(); ++v)
+      if (Point_2& p = chart_.uv[v]; !is_fixed_[v])
+        p = Point_2(snap(p.x()), snap(p.y()));
     std::vector<Index> bad = bad_triangles();
     for (int pass = 0; pass < maximal_passes && !bad.empty(); ++pass) {
       if (first_.empty())
         collect_stars();
       for (const Index t : bad)
         for (const Index v : chart_.triangles[t])
-          improve(v);
+          if (!is_fixed_[v])
+            improve(v);
       bad = bad_triangles();
     }
     return bad;
@@ -115,6 +125,7 @@ private:
   }
 
   Chart& chart_;
+  std::vector<bool> is_fixed_;
   std::vector<Index> first_, star_; // the triangles around each vertex
 };
 

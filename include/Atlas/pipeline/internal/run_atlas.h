@@ -43,6 +43,8 @@ struct Atlas_request
   bool is_straightened = false;               ///< whether grids of quadrilaterals become rectangles
   bool has_only_given_seams = false;          ///< whether charts are what wanted seams and patches make
   std::optional<std::vector<bool>> selection; ///< per input face whether it is unwrapped; none: all are
+  std::optional<std::vector<bool>>
+      pins; ///< per input corner whether it keeps its coordinates; none: none does
   unsigned threads = 0;
   Progress progress;
 
@@ -59,7 +61,8 @@ struct Atlas_request
 /// work.
 ///
 /// \param corner_uv  per input corner; untouched when there is no atlas. With a selection also the
-/// coordinates that other faces have \throws Invalid_argument, Policy_error
+/// coordinates that other faces have, with pins those of pinned corners \throws Invalid_argument,
+/// Policy_error
 Atlas_report run_atlas(const Surface& surface, const Atlas_request& request, std::vector<Point_2>& corner_uv);
 
 } // namespace Atlas::internal

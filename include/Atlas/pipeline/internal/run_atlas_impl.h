@@ -13,8 +13,11 @@
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/validation/Exact_validator.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace Atlas::internal {
 
@@ -164,16 +167,58 @@ inline Surface with_wishes(const Surface& surface, const Atlas_request& request)
 
 /// Lists for charts would speak of others than those that there are, and copies of charts that stay would
 /// stay too.
-inline void check_selection(const Atlas_request& request)
+inline void check_places(const Page_options& page, const char* reason, const char* reason_of_lists)
 {
-  if (!request.selection)
-    return;
-  const Page_options& page = request.page;
-  const char* reason = "does not go with face_selection_map";
   require(page.stacking == Chart_stacking::none, "stacking", reason);
   require(!page.has_free_aspect, "has_free_aspect", reason);
   require(page.weights.empty() && page.groups.empty() && page.locked.empty(), "page_options",
-          "has lists for charts, which do not go with face_selection_map");
+          reason_of_lists);
+}
+
+inline void check_selection(const Atlas_request& request)
+{
+  if (request.selection)
+    check_places(request.page, "does not go with face_selection_map",
+                 "has lists for charts, which do not go with face_selection_map");
+}
+
+/// Whether any corner is pinned.
+inline bool has_pins(const Atlas_request& request)
+{
+  return request.pins && std::find(request.pins->begin(), request.pins->end(), true) != request.pins->end();
+}
+
+/// Refuses pins without a place on the first page, and wishes that they would break.
+inline void check_pinned(const Atlas_request& request, const Surface& surface,
+                         const std::vector<Point_2>& corner_uv)
+{
+  if (!request.pins)
+    return;
+  const std::vector<bool>& pins = *request.pins;
+  require(pins.size() == surface.number_of_corners, "pinned_map",
+          "must tell of each corner whether it is pinned");
+  check_places(request.page, "does not go with pinned_map",
+               "has lists for charts, which do not go with pinned_map");
+  require(request.wishes.min_coverage == 0, "min_coverage",
+          "does not go with pinned_map: pages are as full as pins let them be");
+  if (!has_pins(request))
+    return;
+  require(corner_uv.size() == pins.size(), "pinned_map",
+          "goes with the coordinates that pinned corners have");
+  for (std::size_t c = 0; c < pins.size(); ++c) {
+    const Point_2& p = corner_uv[c];
+    require(!pins[c] || (p.x() >= 0 && p.x() <= 1 && p.y() >= 0 && p.y() <= 1), "pinned_map",
+            "pinned corners must have coordinates in [0, 1]^2");
+  }
+}
+
+/// What is pinned, and how the map goes between pins: as in the mode.
+inline Pins pins_of(const Atlas_request& request)
+{
+  if (!has_pins(request))
+    return {};
+  return {*request.pins, request.mode == Atlas_mode::standard || request.mode == Atlas_mode::few_seams,
+          request.validator};
 }
 
 ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request& request,
@@ -188,6 +233,7 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   check_wishes(request);
   check_given_seams(request);
   check_selection(request);
+  check_pinned(request, surface, corner_uv);
   const Policies policies = policies_of(surface, request); // faults of policies show before the work
   Page_options page = request.page;
   if (request.mode == Atlas_mode::paper && page.rotation == Chart_rotation::aligned)
@@ -199,15 +245,17 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
   };
   const auto make = [&](const Surface& input) {
     Atlas_report report;
-    if (request.selection) {
+    if (request.selection || has_pins(request)) {
       const Execution execution(request.threads, [&](double fraction) {
         return !request.progress || request.progress(Stage::packing, fraction);
       });
       const auto run_part = [&](const Surface& part, std::vector<Point_2>& uv) {
         return run(part, policies_of(part, request), uv);
       };
-      report = Face_remaker(input, *request.selection, corner_uv)(run_part, policies.packer, page, execution,
-                                                                  corner_uv);
+      const std::vector<bool> all(request.selection ? 0 : input.number_of_faces, true);
+      const Pins pins = pins_of(request);
+      report = Face_remaker(input, request.selection ? *request.selection : all, pins,
+                            corner_uv)(run_part, policies.packer, page, execution, corner_uv);
     } else {
       report = run(input, policies, corner_uv);
     }

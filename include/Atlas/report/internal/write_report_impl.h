@@ -99,9 +99,11 @@ inline Json to_json(const Chart_report& chart)
 
 ATLAS_INLINE Json to_json(const Atlas_report& report)
 {
-  Json rejected = Json::array(), charts = Json::array(), seconds = Json::object();
+  Json rejected = Json::array(), moved = Json::array(), charts = Json::array(), seconds = Json::object();
   for (const auto& [face, reason] : report.rejected)
     rejected.push_back({{"face", face}, {"reason", message(reason)}});
+  for (const auto& [chart, fault, corners] : report.moved_pins)
+    moved.push_back({{"chart", chart}, {"reason", message(fault)}, {"corners", corners}});
   for (const Chart_report& chart : report.charts)
     charts.push_back(internal::to_json(chart));
   for (const Stage stage : all_stages)
@@ -126,6 +128,7 @@ ATLAS_INLINE Json to_json(const Atlas_report& report)
           {"coverage_outcome", message(report.coverage_outcome)},
           {"pieces_cut_for_pages", report.pieces_cut_for_pages},
           {"enlarged_charts", report.enlarged_charts},
+          {"moved_pins", std::move(moved)},
           {"bound", internal::to_json(report.bound)},
           {"charts_beyond_bound", report.charts_beyond_bound},
           {"area", report.area},

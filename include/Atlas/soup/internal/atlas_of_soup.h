@@ -42,6 +42,7 @@ struct Soup_options
   bool has_only_given_seams = false;          ///< charts are what wanted seams, angles and materials make
   bool separates_materials = false;           ///< no chart has faces of two materials
   std::optional<std::vector<bool>> selection; ///< per face: whether it is unwrapped anew; none: all are
+  std::optional<std::vector<bool>> pins; ///< per corner: whether it keeps its coordinates; none: none does
   Page_options page;
   Packing_effort effort = Packing_effort::fast; ///< of `Raster_packer`
   Stage_names stages;                           ///< stages whose models are not those of the mode

@@ -105,6 +105,8 @@ inline void check_stages(const Soup_options& options)
   but_packer.packer.clear();
   require(!options.selection || (!options.keeps_uv && !options.merges_uv), "selected",
           "does not go with charts that keep their shapes");
+  require(!options.pins || (!options.keeps_uv && !options.merges_uv), "pinned",
+          "does not go with charts that keep their shapes");
   require(
       !options.keeps_uv || !but_packer.any(), "keep_uv",
       "keeps charts as they are: segmentation, parameterizer, solver, pins and optimizer have no meaning");
@@ -153,31 +155,40 @@ inline Policies merging_policies(Policies policies, const Soup_options& options,
   return policies;
 }
 
-/// Faces by number: whether they are selected.
-struct Selected_faces
+/// Faces or corners by number: whether they are among some.
+struct Listed
 {
   using key_type = Index;
   using value_type = bool;
   using reference = bool;
   using category = boost::readable_property_map_tag;
 
-  const std::vector<bool>& is_selected;
+  const std::vector<bool>& is_listed;
 
-  friend bool get(const Selected_faces& map, Index face) { return map.is_selected[face]; }
+  friend bool get(const Listed& map, Index i) { return map.is_listed[i]; }
 };
 
-/// \param uv  output; what is not selected keeps the model's coordinates
+/// \param uv  output; what is not selected, or is pinned, keeps the model's coordinates
 template <typename NamedParameters>
 Atlas_report atlas_of_selection(const Soup_options& options, const Polygon_soup& model,
                                 const Surface& surface, std::vector<Point_2>& uv, const NamedParameters& np)
 {
-  if (!options.selection)
+  if (!options.selection && !options.pins)
     return generate_atlas(surface, uv, np);
+  uv = model.uv;
+  if (options.pins) {
+    require(options.pins->size() == surface.number_of_corners, "pinned",
+            "must have an entry for each corner");
+    require(options.rules.empty(), "pinned", "does not go with rules for materials");
+  }
+  if (!options.selection)
+    return generate_atlas(surface, uv, np.pinned_map(Listed{*options.pins}));
   require(options.selection->size() == surface.number_of_faces, "selected",
           "must have an entry for each face");
   require(options.rules.empty(), "selected", "does not go with rules for materials");
-  uv = model.uv;
-  return generate_atlas(surface, uv, np.face_selection_map(Selected_faces{*options.selection}));
+  const auto selected = np.face_selection_map(Listed{*options.selection});
+  return options.pins ? generate_atlas(surface, uv, selected.pinned_map(Listed{*options.pins}))
+                      : generate_atlas(surface, uv, selected);
 }
 
 ATLAS_INLINE Atlas_report atlas_of_soup(const Soup_options& options, const Polygon_soup& model,

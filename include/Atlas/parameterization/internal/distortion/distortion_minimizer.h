@@ -107,6 +107,17 @@ public:
         is_fixed_[v] = 1;
   }
 
+  /// Lets a vertex stay where it is from now on.
+  void keep(Index v) { is_fixed_[v] = 1; }
+
+  /// Draws vertices to places from now on: the energy has a spring for each, this stiff.
+  void pull(std::vector<std::pair<Index, Complex>> places, double stiffness)
+  {
+    pulled_ = std::move(places);
+    stiffness_ = stiffness;
+    energy_ = total(u_);
+  }
+
   /// Goes on from another map if that is as valid and has less energy.
   bool adopt(std::vector<Complex> u)
   {
@@ -157,7 +168,16 @@ private:
   /// The border tree must have been fitted to u, which the test for a simple border does.
   double total(std::span<const Complex> u) const
   {
-    return total_energy(function_, chart_, rest_, u) + (is_guarded_ ? barrier_.value(checker_.tree(), u) : 0);
+    return smooth_part(u) + (is_guarded_ ? barrier_.value(checker_.tree(), u) : 0);
+  }
+
+  /// The distortion and the springs.
+  double smooth_part(std::span<const Complex> u) const
+  {
+    double springs = 0;
+    for (const auto& pulled : pulled_)
+      springs += stiffness_ * std::norm(u[pulled.first] - pulled.second);
+    return total_energy(function_, chart_, rest_, u) + springs;
   }
 
   bool try_step(double& decrease)
@@ -176,7 +196,7 @@ private:
     for (int i = 0; i < halvings; ++i, length /= 2) {
       for (std::size_t v = 0; v < u_.size(); ++v)
         next[v] = u_[v] + length * direction[v];
-      const double distortion = total_energy(function_, chart_, rest_, next);
+      const double distortion = smooth_part(next);
       if (!(distortion <= energy_ + sufficient * length * slope) || checker_.has_flip(next))
         continue;
       const bool is_simple = checker_.is_border_simple(next);
@@ -221,6 +241,10 @@ private:
     std::fill(gradient_.begin(), gradient_.end(), Complex(0));
     for (Index t = 0; t < rest_.size(); ++t)
       assemble(t);
+    for (const auto& pulled : pulled_) {
+      gradient_[pulled.first] += 2 * stiffness_ * (u_[pulled.first] - pulled.second);
+      system_.add(pulled.first, {2 * stiffness_, 0, 0, 2 * stiffness_});
+    }
     if (is_guarded_)
       barrier_.add(checker_.tree(), u_, gradient_, system_);
   }
@@ -304,7 +328,8 @@ private:
   Border_barrier barrier_;
   std::vector<Complex> u_, gradient_;
   std::vector<std::uint8_t> is_fixed_; ///< per vertex
-  double area_ = 0, energy_ = 0;
+  std::vector<std::pair<Index, Complex>> pulled_;
+  double stiffness_ = 0, area_ = 0, energy_ = 0;
   bool has_flip_, is_simple_, is_guarded_ = false, is_guarded_by_failure_ = false;
 };
 
