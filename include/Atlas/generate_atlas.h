@@ -142,13 +142,15 @@ generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
 /// \brief Makes a texture atlas of a mesh: segments it into charts, flattens them, proves them, packs them.
 ///
 /// \tparam Mesh          a model of CGAL's `FaceListGraph`; triangles, quads or any polygons, open or closed
-/// \tparam HalfedgeUVMap a writable property map from halfedges to points or vectors that are constructible
-/// from two doubles, or to arrays of two numbers
+/// \tparam UVMap         a writable property map from halfedges, or from vertices, to points or vectors that
+/// are constructible from two doubles, or to arrays of two numbers
 ///
 /// \param mesh  stays as it is
 /// \param uv    output: for every halfedge h that is not on the border, the image of `target(h)` in
 /// `face(h)`, in [0, 1]^2 of the face's page, origin bottom left. Left as it is when the run is cancelled or
-/// there is no atlas. \param np    names of Atlas (see `parameters.h`) and of CGAL: `vertex_point_map`,
+/// there is no atlas. A map of vertices is left as it is where a seam splits one, too: the status then is
+/// `vertices_split`.
+/// \param np    names of Atlas (see `parameters.h`) and of CGAL: `vertex_point_map`,
 /// `vertex_index_map`,
 ///              `edge_is_constrained_map` (edges that must be seams), `face_patch_map` (faces of different
 ///              patches never share a chart). Another name fails to compile.
@@ -160,14 +162,13 @@ generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
 /// \throws Policy_error     if a policy returns what its concept does not allow
 ///
 /// The steps are those of Levy, Petitjean, Ray, Maillot 2002.
-template <FaceListMesh Mesh, WritableHalfedgeUVMap<Mesh> HalfedgeUVMap, typename T = bool,
+template <FaceListMesh Mesh, WritableUVMap<Mesh> UVMap, typename T = bool,
           typename Tag = CGAL::internal_np::all_default_t, typename Base = CGAL::internal_np::No_property>
 Atlas_report
-generate_atlas(const Mesh& mesh, HalfedgeUVMap uv,
+generate_atlas(const Mesh& mesh, UVMap uv,
                const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
   using namespace internal;
-  using UV_point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   Atlas_names<seam_cost_map_t, forbidden_seam_map_t, face_weight_map_t, face_chart_map_t, face_page_map_t,
               edge_seam_map_t, CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_index_t,
               CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::face_patch_t>::check(&np);
@@ -175,24 +176,25 @@ generate_atlas(const Mesh& mesh, HalfedgeUVMap uv,
   const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
   std::vector<Point_2> corner_uv;
   if constexpr (has_parameter<face_selection_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
-    static_assert(ReadableHalfedgeUVMap<HalfedgeUVMap, Mesh>,
+    static_assert(ReadableHalfedgeUVMap<UVMap, Mesh>,
                   "with face_selection_map the map of coordinates must be readable, too");
     corner_uv = read_corner_uv(mesh, arrays, uv);
     request.selection = read_selection(arrays, parameter<face_selection_map_t>(np));
   }
   if constexpr (has_parameter<pinned_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
-    static_assert(ReadableHalfedgeUVMap<HalfedgeUVMap, Mesh>,
+    static_assert(ReadableHalfedgeUVMap<UVMap, Mesh>,
                   "with pinned_map the map of coordinates must be readable, too");
     corner_uv = read_corner_uv(mesh, arrays, uv);
     request.pins = read_pins(mesh, arrays, parameter<pinned_map_t>(np));
   }
   const std::vector<Point_2> before = corner_uv; // what stays is not written again
-  const Atlas_report report = run_atlas(arrays.surface, request, corner_uv);
+  Atlas_report report = run_atlas(arrays.surface, request, corner_uv);
   if (report.status != Atlas_status::valid && report.status != Atlas_status::not_valid)
     return report;
-  for (std::size_t c = 0; c < corner_uv.size(); ++c)
-    if (before.empty() || before[c] != corner_uv[c])
-      put(uv, arrays.halfedges[c], make_uv<UV_point>(corner_uv[c].x(), corner_uv[c].y()));
+  if (!write_corner_uv(mesh, arrays, corner_uv, before, uv)) {
+    report.status = Atlas_status::vertices_split;
+    return report;
+  }
   write_edge_seams(mesh, arrays, report.segmentation, parameter<edge_seam_map_t>(np));
   write_face_numbers(arrays, report.face_chart, parameter<face_chart_map_t>(np));
   write_face_numbers(arrays, report.face_page, parameter<face_page_map_t>(np));

@@ -273,6 +273,26 @@ TEST(Maps_of_coordinates, may_be_of_vertices_where_they_are_read)
   EXPECT_FALSE(verify_atlas(mesh, uv).is_valid());
 }
 
+TEST(Maps_of_coordinates, may_be_of_vertices_that_no_seam_splits)
+{
+  Surface_mesh mesh = mesh_of<Surface_mesh>(planar_grid(3, 2));
+  auto uv = mesh.add_property_map<Surface_mesh::Vertex_index, std::array<float, 2>>("v:uv").first;
+  EXPECT_TRUE(generate_atlas(mesh, uv).is_valid());
+  EXPECT_TRUE(verify_atlas(mesh, uv).is_valid());
+  auto shared = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:pinned", false).first;
+  shared[Surface_mesh::Vertex_index(0)] = true;
+  const std::array<float, 2> place = uv[Surface_mesh::Vertex_index(0)];
+  EXPECT_TRUE(generate_atlas(mesh, uv, parameters::gutter(8).pinned_map(shared)).is_valid());
+  EXPECT_EQ(uv[Surface_mesh::Vertex_index(0)], place);
+
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const auto closed = mesh_of<Polyhedron>(cube());
+  std::map<boost::graph_traits<Polyhedron>::vertex_descriptor, Point_2> of_vertex;
+  const Atlas_report report = generate_atlas(closed, boost::make_assoc_property_map(of_vertex));
+  EXPECT_EQ(report.status, Atlas_status::vertices_split);
+  EXPECT_TRUE(of_vertex.empty());
+}
+
 TEST(Named_parameters, have_any_order)
 {
   Surface_mesh mesh = mesh_of<Surface_mesh>(torus(12, 6));

@@ -115,6 +115,15 @@ concept WritableHalfedgeUVMap =
                                          typename boost::property_traits<Map>::value_type>;
 
 /// \ingroup mesh_concepts
+/// \brief As `WritableHalfedgeUVMap`, or the same from vertices: for atlases whose seams split none.
+template <typename Map, typename Mesh>
+concept WritableUVMap = WritableHalfedgeUVMap<Map, Mesh> ||
+    ((std::constructible_from<typename boost::property_traits<Map>::value_type, double, double> ||
+      internal::HasElements<typename boost::property_traits<
+          Map>::value_type>)&&WritableMap<Map, typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                          typename boost::property_traits<Map>::value_type>);
+
+/// \ingroup mesh_concepts
 /// \brief A map from halfedges to texture coordinates, or from vertices where no seam splits them: points
 /// and vectors with `x()` and `y()`, or arrays of two numbers.
 template <typename Map, typename Mesh>

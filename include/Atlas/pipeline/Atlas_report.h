@@ -16,11 +16,12 @@ namespace Atlas {
 
 /// How a run ended.
 enum class Atlas_status {
-  valid,      ///< every face that can has coordinates, and the certificate proves them
-  not_valid,  ///< coordinates are complete, but the certificate names faults
-  no_surface, ///< not one face has an area: there is nothing to map
-  no_room,    ///< the packer found no room for the charts; the coordinates are untouched
-  cancelled   ///< the caller asked to stop; the coordinates are untouched
+  valid,         ///< every face that can has coordinates, and the certificate proves them
+  not_valid,     ///< coordinates are complete, but the certificate names faults
+  no_surface,    ///< not one face has an area: there is nothing to map
+  no_room,       ///< the packer found no room for the charts; the coordinates are untouched
+  cancelled,     ///< the caller asked to stop; the coordinates are untouched
+  vertices_split ///< seams split vertices, for which the map has one place each; it is untouched
 };
 
 /// A sentence for the user.
@@ -37,6 +38,8 @@ inline const char* message(Atlas_status status)
     return "the pages have no room for the charts";
   case Atlas_status::cancelled:
     return "the caller asked to stop";
+  case Atlas_status::vertices_split:
+    return "seams split vertices, and a map of vertices has one place for each: use a map of halfedges";
   }
   return "unknown status";
 }

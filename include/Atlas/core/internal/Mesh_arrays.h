@@ -224,6 +224,45 @@ std::vector<Point_2> read_corner_uv(const FaceListGraph& mesh, const Mesh_arrays
   return corner_uv;
 }
 
+/// Whether corners of a vertex have different coordinates, on two sides of a seam.
+inline bool are_vertices_split(const Surface& surface, const std::vector<Point_2>& corner_uv)
+{
+  std::vector<Index> first(surface.points.size(), no_index); // corner of the vertex
+  for (std::size_t h = 0; h < surface.corner.size(); ++h) {
+    Index& corner = first[surface.triangles[h / 3][h % 3]];
+    if (corner == no_index)
+      corner = surface.corner[h];
+    else if (corner_uv[corner] != corner_uv[surface.corner[h]])
+      return true;
+  }
+  return false;
+}
+
+/// Puts coordinates of corners, but those that are as before, into a map of halfedges or of vertices, in
+/// which corners without a triangle have no say. Returns whether it could: else nothing is written. \param
+/// before  may be empty
+template <typename FaceListGraph, typename UVMap>
+bool write_corner_uv(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
+                     const std::vector<Point_2>& corner_uv, const std::vector<Point_2>& before, UVMap uv)
+{
+  using UV = typename boost::property_traits<UVMap>::value_type;
+  using Halfedge = typename Mesh_arrays<FaceListGraph>::Halfedge;
+  const auto is_new = [&](std::size_t c) { return before.empty() || before[c] != corner_uv[c]; };
+  const auto made = [&](std::size_t c) { return make_uv<UV>(corner_uv[c].x(), corner_uv[c].y()); };
+  if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<UVMap>::key_type>) {
+    for (std::size_t c = 0; c < corner_uv.size(); ++c)
+      if (is_new(c))
+        put(uv, view.halfedges[c], made(c));
+  } else {
+    if (are_vertices_split(view.surface, corner_uv))
+      return false;
+    for (const Index c : view.surface.corner)
+      if (is_new(c))
+        put(uv, target(view.halfedges[c], mesh), made(c));
+  }
+  return true;
+}
+
 template <typename FaceListGraph>
 void write_edge_seams(const FaceListGraph&, const Mesh_arrays<FaceListGraph>&, const Segmentation&,
                       Param_not_found)
