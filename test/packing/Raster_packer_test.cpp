@@ -2,6 +2,7 @@
 #include <Atlas/packing/Horizon_packer.h>
 #include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/Raster_packer.h>
+#include <Atlas/packing/internal/pages/single_layout.h>
 #include <Atlas/packing/pack_charts.h>
 
 #include "short_raster_packer.h"
@@ -27,6 +28,31 @@ void expect_clear(const std::vector<Chart>& charts, const Packing& packing, cons
   const Packing_clearance clearance = packing_clearance(charts, packing, page, gutter);
   EXPECT_GE(clearance.charts, gutter);
   EXPECT_GE(clearance.border, gutter / 2);
+}
+
+/// By trying very many turns.
+double scale_by_trials(const std::vector<internal::Vec2>& hull, double width, double height)
+{
+  double best = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double a = M_PI * k / 20000;
+    const internal::Vec2 size = internal::size_along(hull, {std::cos(a), std::sin(a)});
+    best = std::max(best, std::min(width / size.x, height / size.y));
+  }
+  return best;
+}
+
+TEST(largest_scale_alone, is_what_no_turn_exceeds)
+{
+  using internal::Vec2;
+  for (const Vec2 box : {Vec2{1, 1}, Vec2{2, 1}, Vec2{10, 0.1}})
+    for (const double height : {100.0, 40.0}) {
+      const std::vector<Vec2> hull{{0, 0}, {box.x, 0}, {0.8 * box.x, box.y}, {0, box.y}};
+      const double scale = internal::largest_scale_alone(hull, 100, height),
+                   tried = scale_by_trials(hull, 100, height);
+      EXPECT_GE(scale, tried * (1 - 1e-9));
+      EXPECT_LE(scale, tried * 1.001);
+    }
 }
 
 TEST(Raster_packer, is_never_below_the_horizon_and_keeps_the_gutter)

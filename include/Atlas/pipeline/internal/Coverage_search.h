@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,11 +39,14 @@ public:
   {
     int packings = most_packings, retractions = most_retractions; ///< on the way up, and on the way back
     double added_length = std::numeric_limits<double>::infinity();
+    bool is_all_or_nothing = false; ///< pages that are less full than asked for are of no use
   };
   /// Packings at most: on the way up, and on the way back.
   static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
 
-  using Pack = std::function<Packed_charts(const Segmentation&, const std::vector<Flattened_chart>&)>;
+  /// Packs charts. May leave that if they cannot cover as much as the last argument says: then there are no
+  /// pages, and `coverage` is a bound.
+  using Pack = std::function<Packed_charts(const Segmentation&, const std::vector<Flattened_chart>&, double)>;
 
   Coverage_search(Cut_forest forest, Pack pack) : forest_(std::move(forest)), pack_(std::move(pack)) {}
 
@@ -53,6 +57,7 @@ public:
   std::optional<Cut_charts> reach(double coverage, double wanted, const Limits& limits)
   {
     double most = coverage, room = forest_.room();
+    is_all_or_nothing_ = limits.is_all_or_nothing;
     std::size_t enough = 0, few = 0;
     for (int i = 0; i < limits.packings && most < wanted; ++i) {
       // The room that charts need times what of it is covered hardly changes by few cuts.
@@ -92,9 +97,11 @@ public:
     number_of_cuts_ = cuts.size();
     for (int i = 0; i < trials_of_trade && number_of_cuts_ > 0; ++i) {
       const double added = forest_.added_length() / seam;
-      Cut_charts now = packed_now();
+      const double least_gain =
+          std::max(exchange_rate * added, gain_of_cut * static_cast<double>(number_of_cuts_));
+      Cut_charts now = packed_now(coverage * (1 + least_gain) * (1 + least_gain));
       const double gain = std::sqrt(now.packed.coverage / coverage) - 1;
-      if (gain >= std::max(exchange_rate * added, gain_of_cut * static_cast<double>(number_of_cuts_)))
+      if (now.packed.packing.number_of_pages > 0 && gain >= least_gain)
         return now;
       set_number(cuts, number_of_cuts_ / 2);
     }
@@ -113,7 +120,7 @@ public:
         is_cut = true;
       if (!is_cut && !forest_.cut_longest(0))
         break;
-      Cut_charts now = packed_now();
+      Cut_charts now = packed_now(0);
       if (now.packed.packing.number_of_pages > 0 && now.packed.packing.density > most) {
         most = now.packed.packing.density;
         best_ = std::move(now);
@@ -131,20 +138,27 @@ private:
   /// With all cuts, then with half of them.
   static constexpr int trials_of_trade = 2;
 
-  Cut_charts packed_now()
+  /// The charts as they are now, packed unless it is clear that they cover less than `least`.
+  Cut_charts packed_now(double least) const
   {
     Cut_charts now;
     now.flattened = forest_.write(now.segmentation);
-    now.packed = pack_(now.segmentation, now.flattened);
+    now.packed = pack_(now.segmentation, now.flattened, least);
     return now;
   }
 
-  /// Packs the charts as they are now, and keeps them if they are the best so far.
+  /// Packs the charts as they are now, and keeps them if they are the best so far. Charts that were not
+  /// enough once are not packed again.
   double try_now(double& most, double wanted)
   {
-    Cut_charts now = packed_now();
+    std::vector<Index> pieces = forest_.pieces();
+    if (const auto before = too_little_.find(pieces); before != too_little_.end())
+      return before->second;
+    Cut_charts now = packed_now(is_all_or_nothing_ ? wanted : std::min(most, wanted));
     const double coverage = now.packed.coverage;
-    if (coverage > most || coverage >= wanted) {
+    if (coverage < wanted)
+      too_little_.emplace(std::move(pieces), coverage);
+    if (now.packed.packing.number_of_pages > 0 && (coverage > most || coverage >= wanted)) {
       most = coverage;
       best_ = std::move(now);
     }
@@ -183,7 +197,9 @@ private:
   Cut_forest forest_;
   Pack pack_;
   std::optional<Cut_charts> best_;
+  std::map<std::vector<Index>, double> too_little_; ///< what these pieces cover
   std::size_t number_of_cuts_ = 0;
+  bool is_all_or_nothing_ = false;
   bool is_exhausted_ = false;
 };
 

@@ -112,6 +112,16 @@ public:
       nodes_[child].is_leaf = is_cut;
   }
 
+  /// The charts and pieces as they are now, by numbers that do not change.
+  std::vector<Index> pieces() const
+  {
+    std::vector<Index> result;
+    for (Index i = 0; i < nodes_.size(); ++i)
+      if (nodes_[i].is_leaf)
+        result.push_back(i);
+    return result;
+  }
+
   /// An estimate of the room that all charts need.
   double room() const
   {

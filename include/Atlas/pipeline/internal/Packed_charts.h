@@ -10,6 +10,7 @@
 #include <Atlas/core/internal/Flattened_chart.h>
 #include <Atlas/core/internal/mean_weight.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/packing/internal/pages/single_layout.h>
 #include <Atlas/pipeline/internal/Repeated_parts.h>
 
 #include <CGAL/Bbox_2.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -66,6 +68,27 @@ public:
         break;
     }
     packed.coverage = coverage(packed, page);
+  }
+
+  /// A bound on the coverage, whatever the packer: each chart has to fit on the page alone.
+  double most_coverage(const Packed_charts& packed, const Page_options& page) const
+  {
+    const bool is_plain = page.pages == 1 && !(page.density > 0) && !page.snaps && page.weights.empty() &&
+                          page.groups.empty() && page.locked.empty() && surface_.density_weight.empty() &&
+                          !(least_texels_ > 0);
+    if (!is_plain)
+      return 1;
+    const double width = page.width, height = page.height;
+    double area = 0, density = std::numeric_limits<double>::infinity();
+    for (const Chart& chart : packed.charts) {
+      area += std::abs(area_uv(chart));
+      std::vector<Vec2> points;
+      for (const Point_2& p : chart.uv)
+        points.push_back({p.x(), p.y()});
+      if (const std::vector<Vec2> hull = convex_hull(std::move(points)); hull.size() > 2)
+        density = std::min(density, largest_scale_alone(hull, width, height));
+    }
+    return std::min(1.0, area * density * density / (width * height));
   }
 
 private:

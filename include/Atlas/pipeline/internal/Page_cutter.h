@@ -79,11 +79,15 @@ private:
 
   Coverage_search search_in(Cut_forest forest) const
   {
-    return {std::move(forest), [this](const Segmentation& s, const std::vector<Flattened_chart>& flattened) {
-              Packed_charts result = packing_.charts(s, flattened);
-              packing_.pack(result, page_);
-              return result;
-            }};
+    const auto pack = [this](const Segmentation& s, const std::vector<Flattened_chart>& flattened,
+                             double least_coverage) {
+      Packed_charts result = packing_.charts(s, flattened);
+      result.coverage = packing_.most_coverage(result, page_);
+      if (result.coverage >= least_coverage)
+        packing_.pack(result, page_);
+      return result;
+    };
+    return {std::move(forest), pack};
   }
 
   /// Makes the cuts that are worth it: first those within the budget of added seam; then, on pages that are
@@ -114,7 +118,7 @@ private:
     Coverage_search search = search_in(Cut_forest(
         surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
     std::optional<Cut_charts> cut =
-        search.reach(coverage, wanted, {packings_of_trade, retractions_of_trade, most_added});
+        search.reach(coverage, wanted, {packings_of_trade, retractions_of_trade, most_added, true});
     if (!cut || cut->packed.coverage < wanted)
       return std::nullopt;
     const double added = half_of_borders(cut->flattened) - seam;

@@ -53,6 +53,13 @@ public:
     return best_;
   }
 
+  /// The largest scale, if any turn is allowed.
+  double largest_scale()
+  {
+    operator()();
+    return 1 / size_;
+  }
+
   /// Multiples of 90 degrees.
   Vec2 quarter_turn()
   {
@@ -108,6 +115,12 @@ private:
   Vec2 best_{1, 0};
   double size_ = HUGE_VAL;
 };
+
+/// The largest scale at which a convex polygon fits a rectangle, in any turn. \see `Best_turn`
+inline double largest_scale_alone(const std::vector<Vec2>& hull, double width, double height)
+{
+  return Best_turn(hull, width, height).largest_scale();
+}
 
 /// The layout of the only outline of a page, at the largest scale there is, at most the one wanted; nothing
 /// if the page has no room for its margin.

@@ -28,7 +28,8 @@ struct Search_budget
   unsigned searches = 4;            ///< side by side
   std::uint64_t round = 36'000'000; ///< operations of each search between two looks at the others
   unsigned rounds = 1;
-  /// Whether it is a race: searches that fall behind drop out, and all end as soon as a round gains little.
+  /// Whether it is a race: searches that fall behind drop out, and all end as soon as some rounds in a row
+  /// gain little.
   bool is_race = false;
 
   /// What that many shapes are worth: few have been tried in every way soon.
@@ -38,10 +39,16 @@ struct Search_budget
   }
 
   /// Of thousands of shapes one step of a search moves all, and takes as long as many rounds with few shapes:
-  /// they get half of the searches and rounds.
-  unsigned searches_for(std::size_t shapes) const { return shapes > many_shapes ? searches / 2 : searches; }
+  /// they get half of the searches and rounds. In a race few shapes get half of the searches too: each of
+  /// them sees most layouts that there are.
+  unsigned searches_for(std::size_t shapes) const
+  {
+    return shapes > many_shapes || (is_race && shapes <= few_shapes) ? (searches + 1) / 2 : searches;
+  }
   unsigned rounds_for(std::size_t shapes) const { return shapes > many_shapes ? (rounds + 1) / 2 : rounds; }
-  static constexpr std::size_t many_shapes = 2000;
+  /// How many rounds of a race in a row may gain little.
+  std::size_t patience_for(std::size_t shapes) const { return shapes <= very_few_shapes ? 2 : 4; }
+  static constexpr std::size_t many_shapes = 2000, few_shapes = 12, very_few_shapes = 3;
 };
 
 /// A race, for when time is short: about one round of the default, in parts of which most are not run.
@@ -49,8 +56,8 @@ inline Search_budget racing_budget()
 {
   Search_budget budget;
   budget.is_race = true;
-  budget.rounds = 4;
-  budget.round = 11'000'000;
+  budget.rounds = 16;
+  budget.round = 2'750'000;
   return budget;
 }
 
@@ -61,8 +68,8 @@ inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 
 /// A search whose scale is that much below the best one's has little hope to catch up.
 inline constexpr double most_lag = 0.012;
-/// A round that raises the scale by less than this ends a race.
-inline constexpr double least_gain_of_round = 0.0004;
+/// Rounds that raise the scale by less than this, all together, end a race.
+inline constexpr double least_gain_of_rounds = 0.0004;
 /// The share of searches that stays in a race after each round.
 inline constexpr double share_in_race = 0.6;
 
@@ -163,13 +170,14 @@ public:
   {
     start(execution);
     const unsigned rounds = budget_.rounds_for(shapes_);
+    std::vector<double> scales; // before each round
     for (unsigned r = 0; r < rounds && best().best().scale < most_scale; ++r) {
-      const double before = best().best().scale;
+      scales.push_back(best().best().scale);
       if (!execution.proceed((r + 1.0) / (rounds + 1)))
         break;
       run_round(r, execution);
       catch_up();
-      if (budget_.is_race && best().best().scale < (1 + least_gain_of_round) * before)
+      if (budget_.is_race && has_ended(scales))
         break;
     }
     Packing_search& winner = best();
@@ -184,6 +192,14 @@ private:
     return a.best().scale < b.best().scale;
   }
   Packing_search& best() { return *std::max_element(searches_.begin(), searches_.end(), is_behind); }
+
+  /// Whether the last rounds have gained little.
+  bool has_ended(const std::vector<double>& scales)
+  {
+    const std::size_t patience = budget_.patience_for(shapes_);
+    return scales.size() >= patience &&
+           best().best().scale < (1 + least_gain_of_rounds) * scales[scales.size() - patience];
+  }
 
   /// Few shapes have the same order by any size, and so the same first layout.
   void start(const Execution& execution)
