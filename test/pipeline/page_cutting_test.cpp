@@ -113,7 +113,8 @@ TEST(MinCoverage, FacesStayWhole)
     }
 }
 
-// A face whose corners repeat has flat triangles that hang together with nothing once their chart stands alone.
+// A face whose corners repeat has flat triangles that hang together with nothing once their chart stands
+// alone.
 TEST(SeamExchangeRate, FacesWithRepeatedVerticesStayWhole)
 {
   Soup soup;
