@@ -336,7 +336,7 @@ TEST(Pins_of_arrays, of_one_vertex_differ_only_where_there_is_a_seam)
   const Atlas_report parted =
       generate_atlas(halves.surface, halves.uv, parameters::gutter(2).pinned_map(halves.pins()));
   ASSERT_TRUE(parted.is_valid()) << message(parted.certificate);
-  EXPECT_TRUE(parted.moved_pins.empty());
+  EXPECT_TRUE(parted.moved_pins.empty()) << message(parted.moved_pins[0].fault);
   EXPECT_EQ(parted.charts.size(), 8u);
   for (const auto& [c, p] : places)
     EXPECT_EQ(halves.uv[c], p);

@@ -14,6 +14,8 @@
 #include <Atlas/validation/Exact_validator.h>
 #include <Atlas/validation/overlaps.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -59,7 +61,7 @@ public:
                 const Pins& pins, const std::vector<Point_2>& corner_uv, const Page_options& page,
                 const Execution& execution)
       : part_(part), segmentation_(segmentation), pins_(pins), width_(page.width), height_(page.height),
-        execution_(execution)
+        turns_(page.rotation == Chart_rotation::none ? 1 : 4), execution_(execution)
   {
     if (pins.is_pinned.empty())
       return;
@@ -95,13 +97,14 @@ public:
   /// \param others   the triangles of charts that stay, on the page
   void lay(double density, const std::vector<Triangle_uv>& others)
   {
-    execution_.for_each(list_.size(), [&](std::size_t i) {
-      Pinned_chart& pinned = list_[i];
+    std::vector<CGAL::Bbox_2> placed;
+    for (Pinned_chart& pinned : list_) {
       pinned.fault = pinned.own_fault;
-      if (pinned.fault || pinned.is_stretched())
-        return;
-      pinned.fault = density > 0 ? move(pinned, density) : Pin_fault::no_room;
-    });
+      if (!pinned.fault && !pinned.is_stretched())
+        pinned.fault = density > 0 ? move(pinned, density, placed) : Pin_fault::no_room;
+      if (!pinned.fault)
+        placed.push_back(CGAL::bbox_2(pinned.on_page.begin(), pinned.on_page.end()));
+    }
     drop_overlapping(others);
   }
 
@@ -179,15 +182,42 @@ private:
     return finish(pinned, std::move(chart));
   }
 
-  std::optional<Pin_fault> move(Pinned_chart& pinned, double density) const
+  /// Moves a chart to its pin, in the first quarter turn in which it lies on the page, beside the boxes of
+  /// the charts before it if it can.
+  std::optional<Pin_fault> move(Pinned_chart& pinned, double density,
+                                const std::vector<CGAL::Bbox_2>& before) const
+  {
+    std::optional<Pin_fault> fault;
+    std::vector<Point_2> kept;
+    for (int turn = 0; turn < turns_; ++turn) {
+      const std::optional<Pin_fault> now = finish(pinned, moved(pinned, density, turn));
+      fault = turn == 0 ? now : fault;
+      if (now)
+        continue;
+      const CGAL::Bbox_2 box = CGAL::bbox_2(pinned.on_page.begin(), pinned.on_page.end());
+      if (std::none_of(before.begin(), before.end(),
+                       [&](const CGAL::Bbox_2& b) { return CGAL::do_overlap(box, b); }))
+        return std::nullopt;
+      if (kept.empty())
+        kept = pinned.on_page;
+    }
+    pinned.on_page = std::move(kept);
+    return pinned.on_page.empty() ? fault : std::nullopt;
+  }
+
+  /// A chart at its pin, in texels.
+  Chart moved(const Pinned_chart& pinned, double density, int turn) const
   {
     Chart chart = pinned.flat;
     const LSCM_pin& pin = pinned.pins.front();
     const Point_2 from = chart.uv[pin.vertex];
-    for (Point_2& p : chart.uv)
-      p = Point_2(pin.uv.x() * width_ + density * (p.x() - from.x()),
-                  pin.uv.y() * height_ + density * (p.y() - from.y()));
-    return finish(pinned, std::move(chart));
+    for (Point_2& p : chart.uv) {
+      Vector_2 off = density * (p - from);
+      for (int i = 0; i < turn; ++i)
+        off = Vector_2(-off.y(), off.x());
+      p = Point_2(pin.uv.x() * width_ + off.x(), pin.uv.y() * height_ + off.y());
+    }
+    return chart;
   }
 
   /// Whether rounding to the grid gives a point of the page.
@@ -260,6 +290,7 @@ private:
   const Segmentation& segmentation_;
   const Pins& pins_;
   double width_, height_;
+  int turns_; ///< in which charts may be moved to their pins
   const Execution& execution_;
   std::vector<Pinned_chart> list_; ///< in the order of charts
 };
