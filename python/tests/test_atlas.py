@@ -343,7 +343,7 @@ def test_pinned_vertices_stay():
     positions, faces = torus()
     pinned = np.zeros(len(positions), bool)
     pinned[7] = True
-    uvs = np.where(pinned[:, None], 0.5, np.nan)
+    uvs = np.where(pinned[:, None], [0.5, 0.5], np.nan)
     atlas = atlas_uv.Atlas(texture_size=512)
     atlas.add_mesh(positions, faces, uvs=uvs, pinned=np.zeros(len(positions), bool))
     atlas.add_mesh(positions[faces[0]] + 9, [[0, 1, 2]], uvs=[[0.25, 0.3], [0.5, 0.3], [0.3, 0.45]], pinned=[True] * 3)
