@@ -39,7 +39,6 @@ public:
   {
     int packings = most_packings, retractions = most_retractions; ///< on the way up, and on the way back
     double added_length = std::numeric_limits<double>::infinity();
-    bool is_all_or_nothing = false; ///< pages that are less full than asked for are of no use
   };
   /// Packings at most: on the way up, and on the way back.
   static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
@@ -57,7 +56,6 @@ public:
   std::optional<Cut_charts> reach(double coverage, double wanted, const Limits& limits)
   {
     double most = coverage, room = forest_.room();
-    is_all_or_nothing_ = limits.is_all_or_nothing;
     std::size_t enough = 0, few = 0;
     for (int i = 0; i < limits.packings && most < wanted; ++i) {
       // The room that charts need times what of it is covered hardly changes by few cuts.
@@ -154,7 +152,7 @@ private:
     std::vector<Index> pieces = forest_.pieces();
     if (const auto before = too_little_.find(pieces); before != too_little_.end())
       return before->second;
-    Cut_charts now = packed_now(is_all_or_nothing_ ? wanted : std::min(most, wanted));
+    Cut_charts now = packed_now(std::min(most, wanted));
     const double coverage = now.packed.coverage;
     if (coverage < wanted)
       too_little_.emplace(std::move(pieces), coverage);
@@ -199,7 +197,6 @@ private:
   std::optional<Cut_charts> best_;
   std::map<std::vector<Index>, double> too_little_; ///< what these pieces cover
   std::size_t number_of_cuts_ = 0;
-  bool is_all_or_nothing_ = false;
   bool is_exhausted_ = false;
 };
 

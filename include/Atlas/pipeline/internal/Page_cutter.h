@@ -90,40 +90,44 @@ private:
     return {std::move(forest), pack};
   }
 
-  /// Makes the cuts that are worth it: first those within the budget of added seam; then, on pages that are
-  /// still rather empty, others too.
+  /// Makes the cuts that are worth it: first those within the budget of added seam. Where pages are rather
+  /// empty then, others may be worth more.
   std::optional<Cut_charts> trade(const Segmentation& segmentation,
                                   const std::vector<Flattened_chart>& charts, double coverage) const
   {
     const double seam = half_of_borders(charts);
     const Room_estimate room = room_on_pages(std::max(coverage, usual_coverage));
-    std::optional<Cut_charts> cut =
+    std::optional<Cut_charts> best =
         search_in(Cut_forest(surface_, segmentation, charts, room, execution_, trade_, seam))
             .trade(coverage, seam, trade_.rate);
-    const double now = cut ? cut->packed.coverage : coverage;
-    if (now >= trade_.empty_coverage || execution_.is_cancelled())
-      return cut;
-    std::optional<Cut_charts> more =
-        cut ? fill(cut->segmentation, cut->flattened, now) : fill(segmentation, charts, now);
-    return more ? std::move(more) : std::move(cut);
+    if ((best ? best->packed.coverage : coverage) >= trade_.empty_coverage)
+      return best;
+    std::optional<Cut_charts> full = fill(segmentation, charts, coverage);
+    const double worth_before = best ? worth(*best, coverage, seam) : 0;
+    return full && worth(*full, coverage, seam) > worth_before ? std::move(full) : std::move(best);
   }
 
-  /// Cuts charts until pages are no longer rather empty, if that is worth it. Few charts leave room that no
-  /// estimate foresees, so they are packed again and again.
+  /// By how much more the density rises than the added seam has to bring, relative.
+  double worth(const Cut_charts& cut, double coverage, double seam) const
+  {
+    return std::sqrt(cut.packed.coverage / coverage) - 1 -
+           trade_.rate * (half_of_borders(cut.flattened) / seam - 1);
+  }
+
+  /// Cuts charts until pages are as full as usual; none if they stay rather empty, or that takes too much
+  /// seam. Few charts leave room that no estimate foresees, so they are packed again and again.
   std::optional<Cut_charts> fill(const Segmentation& segmentation, const std::vector<Flattened_chart>& charts,
                                  double coverage) const
   {
-    const double seam = half_of_borders(charts), wanted = trade_.empty_coverage;
+    const double seam = half_of_borders(charts);
     const double most_added = trade_.most_added_when_empty * (seam - half_of_surface_borders());
     Coverage_search search = search_in(Cut_forest(
         surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
     std::optional<Cut_charts> cut =
-        search.reach(coverage, wanted, {packings_of_trade, retractions_of_trade, most_added, true});
-    if (!cut || cut->packed.coverage < wanted)
-      return std::nullopt;
-    const double added = half_of_borders(cut->flattened) - seam;
-    const double gain = std::sqrt(cut->packed.coverage / coverage) - 1;
-    return added <= most_added && gain >= trade_.rate * added / seam ? std::move(cut) : std::nullopt;
+        search.reach(coverage, usual_coverage, {packings_of_trade, retractions_of_trade, most_added});
+    const bool is_enough = cut && cut->packed.coverage >= trade_.empty_coverage &&
+                           half_of_borders(cut->flattened) - seam <= most_added;
+    return is_enough ? std::move(cut) : std::nullopt;
   }
 
   /// Cuts charts that are larger than a page at the density that is asked for.
