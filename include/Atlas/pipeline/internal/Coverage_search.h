@@ -83,13 +83,14 @@ public:
     return std::move(best_);
   }
 
-  /// Makes all cuts of a forest that knows what they are worth, or the better half of them.
+  /// Makes the cuts of a forest that knows what they are worth, or the better half of them. There are not
+  /// hundreds: the pieces of needles would take longer to pack than all the rest.
   ///
   /// \param seam  the length of all borders between charts
   /// \return none if the density does not rise by what that length and the pieces are worth
   std::optional<Cut_charts> trade(double coverage, double seam, double exchange_rate)
   {
-    while (forest_.cut()) {
+    while (forest_.cuts().size() < most_cuts_of_trade && forest_.cut()) {
     }
     const std::vector<Index> cuts = forest_.cuts(); // the best first
     number_of_cuts_ = cuts.size();
@@ -135,6 +136,7 @@ private:
   static constexpr double gain_of_cut = 0.01;
   /// With all cuts, then with half of them.
   static constexpr int trials_of_trade = 2;
+  static constexpr std::size_t most_cuts_of_trade = 128;
 
   /// The charts as they are now, packed unless it is clear that they cover less than `least`.
   Cut_charts packed_now(double least) const

@@ -59,7 +59,7 @@ public:
     if (packed.packing.number_of_pages == 0 || is_full || !(is_asked || trade_.rate > 0))
       return std::nullopt;
     if (!is_asked)
-      return trade(segmentation, charts, coverage);
+      return is_worth_a_trial(packed) ? trade(segmentation, charts, coverage) : std::nullopt;
     const double seam = half_of_borders(charts);
     Coverage_search search = search_in(
         Cut_forest(surface_, segmentation, charts, room_on_pages(wanted), execution_, std::nullopt, seam));
@@ -74,8 +74,17 @@ public:
 private:
   /// What of a search for an asked coverage is done where none is asked for.
   static constexpr int packings_of_trade = 6, retractions_of_trade = 3;
+  static constexpr std::size_t most_charts_of_trade = 256;
   /// What the density may lose by rounding.
   static constexpr double density_lost = 1e-9;
+
+  /// Packing hundreds of charts takes long, and few cuts change little, unless a single chart is too large
+  /// for the page.
+  bool is_worth_a_trial(const Packed_charts& packed) const
+  {
+    return packed.charts.size() <= most_charts_of_trade ||
+           packing_.most_coverage(packed, page_) < trade_.full_coverage;
+  }
 
   Coverage_search search_in(Cut_forest forest) const
   {
