@@ -54,13 +54,20 @@ function assertSame(certificate, native, name) {
   assert.deepEqual(same, native, `certificate of ${name}`);
 }
 
-function compare(mesh, words, options) {
+/** The certificate of a native atlas, made here: it is the same. */
+function certify(mesh, words) {
   const name = [basename(mesh), ...words].join(' ');
   const native = natively(mesh, words);
   const { page_width: width, page_height: height, gutter_texels: gutter } = native.report;
   const { report } = here(native.model, (scene) => scene.verify({ width, height, gutter }));
   assertSame(report, native.report.certificate, name);
   assert.ok(report.is_valid, name);
+  return { name, native, report };
+}
+
+/** Packings differ, as sines do: so charts are the same only where none is cut for its page. */
+function compare(mesh, words, options) {
+  const { name, native, report } = certify(mesh, words);
   const make = (scene) => scene.generate(options);
   make.isMade = true;
   const own = here(mesh, make);
@@ -74,16 +81,17 @@ function compare(mesh, words, options) {
 }
 
 try {
-  if (named.length) named.forEach((mesh) => compare(mesh, [], {}));
+  if (named.length) named.forEach((mesh) => compare(mesh, ['--seam-exchange-rate', '0'], { seam_exchange_rate: 0 }));
   else {
     const knot = join(folder, 'knot.off');
     writeFileSync(knot, new Uint8Array(await exampleModel(60, 16).arrayBuffer()));
     const elephant = join(folder, 'elephant.off');
     writeFileSync(elephant, execFileSync('tar', ['-xzOf', archive, 'data/meshes/elephant.off'], { maxBuffer: 1 << 26 }));
-    compare(knot, [], {});
+    certify(knot, []);
+    compare(knot, ['--seam-exchange-rate', '0'], { seam_exchange_rate: 0 });
     compare(knot, ['--mode', 'conformal', '--texture-size', '512x256'], { mode: 'conformal', width: 512, height: 256 });
     compare(elephant, ['--mode', 'few-seams', '--gutter', '4'], { mode: 'few-seams', gutter: 4 });
-    compare(elephant, ['--max-stretch', '1.5'], { max_stretch: 1.5 });
+    compare(elephant, ['--max-stretch', '1.5', '--seam-exchange-rate', '0'], { max_stretch: 1.5, seam_exchange_rate: 0 });
   }
 } finally {
   rmSync(folder, { recursive: true });
