@@ -143,8 +143,8 @@ Atlas_status Scene::generate(const Scene_options& options, const Progress& progr
   Input input;
   start(options, input);
   internal::Soup_options wishes = by_our_numbers(options);
-  wishes.selection = selection();
-  wishes.pins = pins();
+  wishes.selection = joined(&Scene_mesh::selected, &Polygon_soup::number_of_faces, true);
+  wishes.pins = joined(&Scene_mesh::pinned, &Polygon_soup::number_of_corners, false);
   if (options.keeps_uv || options.merges_uv || wishes.selection || wishes.pins)
     require_uv();
   hide_seams_of(input.surface, options);
@@ -306,28 +306,18 @@ void Scene::hide_seams_of(Surface& surface, const Scene_options& options) const
     hide_seams(surface, *options.hiding, Execution(options.threads));
 }
 
-/// The faces of all meshes that are unwrapped anew, if not all are.
-std::optional<std::vector<bool>> Scene::selection() const
+/// A list of all meshes, one after the other, if any mesh has it.
+/// \param count  of entries of a mesh that has none, which gets `missing` everywhere
+std::optional<std::vector<bool>> Scene::joined(std::vector<bool> Scene_mesh::*list,
+                                               std::size_t (Polygon_soup::*count)() const, bool missing) const
 {
-  if (std::all_of(meshes_.begin(), meshes_.end(), [](const auto& mesh) { return mesh.selected.empty(); }))
+  if (std::all_of(meshes_.begin(), meshes_.end(), [&](const auto& mesh) { return (mesh.*list).empty(); }))
     return std::nullopt;
   std::vector<bool> result;
   for (const Scene_mesh& mesh : meshes_) {
-    result.insert(result.end(), mesh.selected.begin(), mesh.selected.end());
-    result.resize(result.size() + (mesh.selected.empty() ? mesh.soup.number_of_faces() : 0), true);
-  }
-  return result;
-}
-
-/// The corners of all meshes that keep their coordinates, if any do.
-std::optional<std::vector<bool>> Scene::pins() const
-{
-  if (std::all_of(meshes_.begin(), meshes_.end(), [](const auto& mesh) { return mesh.pinned.empty(); }))
-    return std::nullopt;
-  std::vector<bool> result;
-  for (const Scene_mesh& mesh : meshes_) {
-    result.insert(result.end(), mesh.pinned.begin(), mesh.pinned.end());
-    result.resize(result.size() + (mesh.pinned.empty() ? mesh.soup.number_of_corners() : 0), false);
+    const std::vector<bool>& own = mesh.*list;
+    result.insert(result.end(), own.begin(), own.end());
+    result.resize(result.size() + (own.empty() ? (mesh.soup.*count)() : 0), missing);
   }
   return result;
 }

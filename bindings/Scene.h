@@ -117,8 +117,8 @@ private:
   void turn_faces(std::size_t mesh, std::vector<Point_3>& welded_points);
   void join_attributes(Input& input) const;
   void hide_seams_of(Surface& surface, const Scene_options& options) const;
-  std::optional<std::vector<bool>> selection() const;
-  std::optional<std::vector<bool>> pins() const;
+  std::optional<std::vector<bool>> joined(std::vector<bool> Scene_mesh::*list,
+                                          std::size_t (Polygon_soup::*count)() const, bool missing) const;
   internal::Soup_options by_our_numbers(const Scene_options& options) const;
   Progress within_time(const Scene_options& options, const Progress& progress);
   void require_uv() const;

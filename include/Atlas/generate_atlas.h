@@ -97,6 +97,23 @@ Atlas_request atlas_request(const NamedParameters& np)
   return request;
 }
 
+inline std::optional<std::vector<bool>> read_flags(Param_not_found, std::size_t)
+{
+  return std::nullopt;
+}
+
+/// Booleans of faces or corners, from a map of their numbers.
+template <typename Map>
+std::optional<std::vector<bool>> read_flags(const Map& map, std::size_t size)
+{
+  static_assert(ReadableMap<Map, Index>,
+                "face_selection_map and pinned_map must be readable maps from numbers of faces or corners");
+  std::vector<bool> result;
+  for (Index i = 0; i < size; ++i)
+    result.push_back(get(map, i));
+  return result;
+}
+
 } // namespace internal
 
 /// \brief Makes a texture atlas of a surface in flat arrays, such as `build_surface()` makes of any polygon
@@ -104,10 +121,9 @@ Atlas_request atlas_request(const NamedParameters& np)
 ///
 /// \param surface    what to map
 /// \param corner_uv  output (with `face_selection_map` or `pinned_map` input too): per corner of the input,
-/// in the order in
-///                   which the surface counts them, the coordinates
-///                   in [0, 1]^2 of its page, origin bottom left; all of them are floats in value. Left as it
-///                   is when the run is cancelled or there is no surface.
+///                   in the order in which the surface counts them, the coordinates in [0, 1]^2 of its page,
+///                   origin bottom left; all but those that were given are floats in value. Left as it is
+///                   when the run is cancelled or there is no surface.
 /// \param np         any of the names of `parameters.h` but the maps; another name fails to compile
 ///
 /// \throws Invalid_argument if an argument cannot be, or the arrays of the surface do not fit together;
@@ -120,22 +136,10 @@ generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
 {
   internal::Atlas_names<>::check(&np);
   internal::Atlas_request request = internal::atlas_request(np);
-  if constexpr (internal::has_parameter<internal::face_selection_map_t,
-                                        CGAL::Named_function_parameters<T, Tag, Base>>) {
-    using Map = std::remove_cvref_t<decltype(internal::parameter<internal::face_selection_map_t>(np))>;
-    static_assert(ReadableMap<Map, Index>, "face_selection_map must be a readable map from numbers of faces");
-    request.selection.emplace();
-    for (Index f = 0; f < surface.number_of_faces; ++f)
-      request.selection->push_back(get(internal::parameter<internal::face_selection_map_t>(np), f));
-  }
-  if constexpr (internal::has_parameter<internal::pinned_map_t,
-                                        CGAL::Named_function_parameters<T, Tag, Base>>) {
-    using Map = std::remove_cvref_t<decltype(internal::parameter<internal::pinned_map_t>(np))>;
-    static_assert(ReadableMap<Map, Index>, "pinned_map must be a readable map from numbers of corners");
-    request.pins.emplace();
-    for (Index c = 0; c < surface.number_of_corners; ++c)
-      request.pins->push_back(get(internal::parameter<internal::pinned_map_t>(np), c));
-  }
+  request.selection =
+      internal::read_flags(internal::parameter<internal::face_selection_map_t>(np), surface.number_of_faces);
+  request.pins =
+      internal::read_flags(internal::parameter<internal::pinned_map_t>(np), surface.number_of_corners);
   return internal::run_atlas(surface, request, corner_uv);
 }
 
@@ -175,18 +179,18 @@ generate_atlas(const Mesh& mesh, UVMap uv,
   Atlas_request request = atlas_request(np);
   const Mesh_arrays<Mesh> arrays = mesh_arrays(mesh, np);
   std::vector<Point_2> corner_uv;
-  if constexpr (has_parameter<face_selection_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
+  using Parameters = CGAL::Named_function_parameters<T, Tag, Base>;
+  constexpr bool has_selection = has_parameter<face_selection_map_t, Parameters>,
+                 has_pins = has_parameter<pinned_map_t, Parameters>;
+  if constexpr (has_selection || has_pins) {
     static_assert(ReadableHalfedgeUVMap<UVMap, Mesh>,
-                  "with face_selection_map the map of coordinates must be readable, too");
+                  "with face_selection_map or pinned_map the map of coordinates must be readable, too");
     corner_uv = read_corner_uv(mesh, arrays, uv);
+  }
+  if constexpr (has_selection)
     request.selection = read_selection(arrays, parameter<face_selection_map_t>(np));
-  }
-  if constexpr (has_parameter<pinned_map_t, CGAL::Named_function_parameters<T, Tag, Base>>) {
-    static_assert(ReadableHalfedgeUVMap<UVMap, Mesh>,
-                  "with pinned_map the map of coordinates must be readable, too");
-    corner_uv = read_corner_uv(mesh, arrays, uv);
+  if constexpr (has_pins)
     request.pins = read_pins(mesh, arrays, parameter<pinned_map_t>(np));
-  }
   const std::vector<Point_2> before = corner_uv; // what stays is not written again
   Atlas_report report = run_atlas(arrays.surface, request, corner_uv);
   if (report.status != Atlas_status::valid && report.status != Atlas_status::not_valid)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <Atlas/core/errors.h>
 #include <Atlas/image/Image.h>
 #include <Atlas/image/pages.h>
 #include <Atlas/image/render_model.h>
 
 #include "temporary_folder.h"
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <vector>
@@ -85,6 +87,21 @@ TEST(Write_png, comes_back_the_same)
   ASSERT_TRUE(png_image_finish_read(&description, nullptr, back.pixels.data(), 0, nullptr));
   EXPECT_EQ(back.pixels, image.pixels);
   EXPECT_THROW(png_bytes(Image()), IO_error);
+}
+
+TEST(Write_png, heights_come_back_the_same)
+{
+  const std::vector<std::uint16_t> heights{0, 1, 255, 256, 32768, 65535};
+  const std::string bytes = png_bytes(heights, Image_size(3, 2));
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_memory(&description, bytes.data(), bytes.size()));
+  EXPECT_EQ(description.format, std::uint32_t(PNG_FORMAT_LINEAR_Y));
+  EXPECT_EQ(description.width, 3u);
+  std::vector<std::uint16_t> back(heights.size());
+  ASSERT_TRUE(png_image_finish_read(&description, nullptr, back.data(), 0, nullptr));
+  EXPECT_EQ(back, heights);
+  EXPECT_THROW((void)png_bytes(heights, Image_size(3, 3)), Invalid_argument);
 }
 
 TEST(Checkerboard, squares_alternate)

@@ -126,8 +126,9 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
   /// The corners that keep, to the bit, the coordinates that they have, in [0, 1]^2 of the first page: a
   /// readable map of Booleans from halfedges (the corner at the target), or from vertices (all of their
-  /// corners); of flat arrays from numbers of corners. A chart with one such place is moved there as it is,
-  /// one with several is a least squares conformal map that has them, and the others are packed around.
+  /// corners); of flat arrays from numbers of corners. A chart with one such place is moved there, in a
+  /// quarter turn that lies on the page. One with several is a least squares conformal map that has them, and
+  /// the others are packed around.
   /// Where a chart would not be valid, its pins move, and `Atlas_report::moved_pins` tells why. Default:
   /// none.
   template <typename K>

@@ -150,6 +150,23 @@ std::vector<bool> read_selection(const Mesh_arrays<FaceListGraph>& view, FaceMap
   return result;
 }
 
+/// Whether the keys of a map are halfedges, and not vertices.
+template <typename Map, typename FaceListGraph>
+inline constexpr bool has_halfedge_keys =
+    std::is_convertible_v<typename boost::graph_traits<FaceListGraph>::halfedge_descriptor,
+                          typename boost::property_traits<Map>::key_type>;
+
+/// The key of a corner in a map of halfedges or of vertices.
+template <typename Map, typename FaceListGraph>
+auto key_of_corner(typename boost::graph_traits<FaceListGraph>::halfedge_descriptor h,
+                   const FaceListGraph& mesh)
+{
+  if constexpr (has_halfedge_keys<Map, FaceListGraph>)
+    return h;
+  else
+    return target(h, mesh);
+}
+
 /// Per corner of the input whether it is pinned, from a map of halfedges or of vertices.
 template <typename FaceListGraph, typename PinMap>
 std::vector<bool> read_pins(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
@@ -162,10 +179,7 @@ std::vector<bool> read_pins(const FaceListGraph& mesh, const Mesh_arrays<FaceLis
   std::vector<bool> result;
   result.reserve(view.halfedges.size());
   for (const auto h : view.halfedges)
-    if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<PinMap>::key_type>)
-      result.push_back(get(is_pinned, h));
-    else
-      result.push_back(get(is_pinned, target(h, mesh)));
+    result.push_back(get(is_pinned, key_of_corner<PinMap>(h, mesh)));
   return result;
 }
 
@@ -212,15 +226,11 @@ template <typename FaceListGraph, typename UVMap>
 std::vector<Point_2> read_corner_uv(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
                                     UVMap uv)
 {
-  using Halfedge = typename Mesh_arrays<FaceListGraph>::Halfedge;
   std::vector<Point_2> corner_uv;
   corner_uv.reserve(view.halfedges.size());
   const auto add = [&](const auto& p) { corner_uv.emplace_back(coordinate(p, 0), coordinate(p, 1)); };
   for (const auto h : view.halfedges)
-    if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<UVMap>::key_type>)
-      add(get(uv, h));
-    else
-      add(get(uv, target(h, mesh)));
+    add(get(uv, key_of_corner<UVMap>(h, mesh)));
   return corner_uv;
 }
 
@@ -238,27 +248,27 @@ inline bool are_vertices_split(const Surface& surface, const std::vector<Point_2
   return false;
 }
 
-/// Puts coordinates of corners, but those that are as before, into a map of halfedges or of vertices, in
-/// which corners without a triangle have no say. Returns whether it could: else nothing is written. \param
-/// before  may be empty
+/// Puts coordinates of corners, but those that are as before, into a map of halfedges or of vertices. In one
+/// of vertices corners without a triangle have no say.
+/// \param before  may be empty
+/// \return false where the corners of a vertex differ: then nothing is written
 template <typename FaceListGraph, typename UVMap>
 bool write_corner_uv(const FaceListGraph& mesh, const Mesh_arrays<FaceListGraph>& view,
                      const std::vector<Point_2>& corner_uv, const std::vector<Point_2>& before, UVMap uv)
 {
   using UV = typename boost::property_traits<UVMap>::value_type;
-  using Halfedge = typename Mesh_arrays<FaceListGraph>::Halfedge;
-  const auto is_new = [&](std::size_t c) { return before.empty() || before[c] != corner_uv[c]; };
-  const auto made = [&](std::size_t c) { return make_uv<UV>(corner_uv[c].x(), corner_uv[c].y()); };
-  if constexpr (std::is_convertible_v<Halfedge, typename boost::property_traits<UVMap>::key_type>) {
+  const auto write = [&](std::size_t c) {
+    if (before.empty() || before[c] != corner_uv[c])
+      put(uv, key_of_corner<UVMap>(view.halfedges[c], mesh), make_uv<UV>(corner_uv[c].x(), corner_uv[c].y()));
+  };
+  if constexpr (has_halfedge_keys<UVMap, FaceListGraph>) {
     for (std::size_t c = 0; c < corner_uv.size(); ++c)
-      if (is_new(c))
-        put(uv, view.halfedges[c], made(c));
+      write(c);
   } else {
     if (are_vertices_split(view.surface, corner_uv))
       return false;
     for (const Index c : view.surface.corner)
-      if (is_new(c))
-        put(uv, target(view.halfedges[c], mesh), made(c));
+      write(c);
   }
   return true;
 }

@@ -99,7 +99,7 @@ public:
       summarize(result, kept, packing, page, pinned);
       options.gutter = gutter_of_kept(page.gutter, options, pinned, execution);
       result.certificate = certify(surface_, result_, result.face_page, options, execution);
-    } while (!result.certificate.is_valid() && blames(result.certificate, report, pinned));
+    } while (!result.certificate.is_valid() && give_up_blamed(result.certificate, report, pinned));
     result.status = result.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
     corner_uv = std::move(result_);
     return result;
@@ -214,8 +214,9 @@ private:
     return std::min({gutter, kept.chart_distance, 2 * std::max(0., kept.page_border_distance)});
   }
 
-  /// Gives up the pins of charts that the certificate blames.
-  static bool blames(const Atlas_certificate& certificate, const Atlas_report& of_part, Pinned_charts& pinned)
+  /// Gives up the pins of charts that the certificate blames. Returns whether there are any.
+  static bool give_up_blamed(const Atlas_certificate& certificate, const Atlas_report& of_part,
+                             Pinned_charts& pinned)
   {
     std::vector<bool> is_blamed(of_part.charts.size(), false);
     for (const Index face : certificate.culprits)

@@ -165,8 +165,8 @@ inline Surface with_wishes(const Surface& surface, const Atlas_request& request)
   return result;
 }
 
-/// Lists for charts would speak of others than those that there are, and copies of charts that stay would
-/// stay too.
+/// Refuses what does not go with charts that have their places: lists for charts would speak of others than
+/// those that there are, and copies of charts that stay would stay too.
 inline void check_places(const Page_options& page, const char* reason, const char* reason_of_lists)
 {
   require(page.stacking == Chart_stacking::none, "stacking", reason);
