@@ -322,14 +322,15 @@ std::optional<std::vector<bool>> Scene::joined(std::vector<bool> Scene_mesh::*li
   return result;
 }
 
-/// Coordinates and materials of all meshes, where any has them.
+/// Coordinates, materials and pages of all meshes, where any has them.
 void Scene::join_attributes(Input& input) const
 {
   const auto has = [&](auto list) {
     return std::any_of(meshes_.begin(), meshes_.end(),
                        [&](const auto& mesh) { return !(mesh.soup.*list).empty(); });
   };
-  const bool has_uv = has(&Polygon_soup::uv), has_materials = has(&Polygon_soup::face_material);
+  const bool has_uv = has(&Polygon_soup::uv), has_materials = has(&Polygon_soup::face_material),
+             has_pages = has(&Polygon_soup::face_page);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::size_t corners = 0, faces = 0;
   for (const Scene_mesh& mesh : meshes_) {
@@ -337,12 +338,15 @@ void Scene::join_attributes(Input& input) const
     input.joined.uv.insert(input.joined.uv.end(), soup.uv.begin(), soup.uv.end());
     input.joined.face_material.insert(input.joined.face_material.end(), soup.face_material.begin(),
                                       soup.face_material.end());
+    input.joined.face_page.insert(input.joined.face_page.end(), soup.face_page.begin(), soup.face_page.end());
     corners += soup.number_of_corners();
     faces += soup.number_of_faces();
     if (has_uv)
       input.joined.uv.resize(corners, Point_2(nan, nan));
     if (has_materials)
       input.joined.face_material.resize(faces, no_index);
+    if (has_pages)
+      input.joined.face_page.resize(faces, 0);
   }
   input.soup = &input.joined;
 }

@@ -104,7 +104,8 @@ public:
   std::vector<Point_3> welded_points() const;
 
 private:
-  /// The meshes as one: the surface, and a soup of which only coordinates and materials are filled.
+  /// The meshes as one: the surface, and a soup of which only coordinates, materials and pages are
+  /// filled.
   struct Input
   {
     Surface surface;

@@ -231,6 +231,14 @@ std::vector<std::array<Index, 2>> read_edges(const unsigned int* vertices, std::
   return edges;
 }
 
+std::vector<bool> read_flags(const unsigned char* flags, std::size_t n)
+{
+  std::vector<bool> result;
+  for (std::size_t i = 0; i < n; ++i)
+    result.push_back(flags[i] != 0);
+  return result;
+}
+
 /// Coordinates at the corners, of those at corners or at vertices that exist.
 void read_uv(const atlas_mesh& mesh, Polygon_soup& soup)
 {
@@ -269,8 +277,9 @@ bindings::Scene_mesh scene_mesh(const atlas_mesh& mesh)
   if (mesh.face_materials)
     soup.face_material.assign(mesh.face_materials, mesh.face_materials + mesh.number_of_faces);
   if (mesh.selected)
-    for (std::size_t f = 0; f < mesh.number_of_faces; ++f)
-      result.selected.push_back(mesh.selected[f] != 0);
+    result.selected = read_flags(mesh.selected, mesh.number_of_faces);
+  if (mesh.pinned)
+    result.pinned = read_flags(mesh.pinned, soup.number_of_corners());
   if (mesh.visibility)
     result.visibility.assign(mesh.visibility, mesh.visibility + mesh.number_of_vertices);
   result.seams = read_edges(mesh.seams, mesh.number_of_seams, "seams");

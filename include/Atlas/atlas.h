@@ -142,7 +142,10 @@ typedef struct atlas_mesh
   size_t number_of_forbidden_seams;    /**< how many there are */
   const double* visibility;      /**< how much each vertex is seen, in [0, 1]: seams run where it is small */
   const unsigned char* selected; /**< per face: not 0 if it is unwrapped anew; all others keep their
-                                    coordinates, in [0, 1]^2, to the bit. Null: all are */
+                                    coordinates, in [0, 1]^2 of their pages, to the bit. Null: all are */
+  const unsigned char* pinned;   /**< per corner: not 0 if it keeps its coordinates, in [0, 1]^2 of the first
+                                    page; charts follow. What could not be kept is in `moved_pins` of the
+                                    report. Null: none is pinned */
 } atlas_mesh;
 
 /** What the charts of a material may do. */

@@ -102,6 +102,22 @@ inline std::optional<std::vector<bool>> read_flags(Param_not_found, std::size_t)
   return std::nullopt;
 }
 
+inline std::vector<Index> read_numbers(Param_not_found, std::size_t)
+{
+  return {};
+}
+
+/// Pages of faces, from a map of the faces' numbers.
+template <typename Map>
+std::vector<Index> read_numbers(const Map& map, std::size_t size)
+{
+  static_assert(ReadableMap<Map, Index>, "face_page_map must be a readable map from numbers of faces");
+  std::vector<Index> result;
+  for (Index i = 0; i < size; ++i)
+    result.push_back(static_cast<Index>(get(map, i)));
+  return result;
+}
+
 /// Booleans of faces or corners, from a map of their numbers.
 template <typename Map>
 std::optional<std::vector<bool>> read_flags(const Map& map, std::size_t size)
@@ -134,13 +150,17 @@ Atlas_report
 generate_atlas(const Surface& surface, std::vector<Point_2>& corner_uv,
                const CGAL::Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
 {
-  internal::Atlas_names<>::check(&np);
-  internal::Atlas_request request = internal::atlas_request(np);
-  request.selection =
-      internal::read_flags(internal::parameter<internal::face_selection_map_t>(np), surface.number_of_faces);
-  request.pins =
-      internal::read_flags(internal::parameter<internal::pinned_map_t>(np), surface.number_of_corners);
-  return internal::run_atlas(surface, request, corner_uv);
+  using namespace internal;
+  Atlas_names<face_page_map_t>::check(&np);
+  Atlas_request request = atlas_request(np);
+  using Parameters = CGAL::Named_function_parameters<T, Tag, Base>;
+  static_assert(has_parameter<face_selection_map_t, Parameters> ||
+                    !has_parameter<face_page_map_t, Parameters>,
+                "of flat arrays the pages are in the report; face_page_map goes with face_selection_map");
+  request.selection = read_flags(parameter<face_selection_map_t>(np), surface.number_of_faces);
+  request.face_page = read_numbers(parameter<face_page_map_t>(np), surface.number_of_faces);
+  request.pins = read_flags(parameter<pinned_map_t>(np), surface.number_of_corners);
+  return run_atlas(surface, request, corner_uv);
 }
 
 /// \brief Makes a texture atlas of a mesh: segments it into charts, flattens them, proves them, packs them.
@@ -187,8 +207,12 @@ generate_atlas(const Mesh& mesh, UVMap uv,
                   "with face_selection_map or pinned_map the map of coordinates must be readable, too");
     corner_uv = read_corner_uv(mesh, arrays, uv);
   }
-  if constexpr (has_selection)
+  if constexpr (has_selection) {
     request.selection = read_selection(arrays, parameter<face_selection_map_t>(np));
+    using Pages = std::remove_cvref_t<decltype(parameter<face_page_map_t>(np))>;
+    if constexpr (ReadableMap<Pages, typename Mesh_arrays<Mesh>::Face>)
+      request.face_page = read_face_numbers(arrays, parameter<face_page_map_t>(np));
+  }
   if constexpr (has_pins)
     request.pins = read_pins(mesh, arrays, parameter<pinned_map_t>(np));
   const std::vector<Point_2> before = corner_uv; // what stays is not written again

@@ -210,7 +210,8 @@ class Atlas:
         :param seams: edges that must be seams, pairs of vertices
         :param forbidden_seams: edges that must not be seams, as far as topology allows
         :param texture: the picture that `uvs` are about, height x width x 3 or 4 bytes, the first row on top
-        :param selected: per face, whether it is unwrapped anew; all others keep their `uvs`, in the unit square, to the bit
+        :param selected: per face, whether it is unwrapped anew; all others keep their `uvs`, in the unit square
+            of their `pages`, to the bit
         :param pinned: per vertex or corner, whether it keeps its `uvs`, in the unit square; charts follow. What could not be
             kept is in `moved_pins` of the report
         :param visibility: how much each vertex is seen, in [0, 1]; seams run where it is small

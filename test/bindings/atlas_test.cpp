@@ -408,6 +408,47 @@ TEST(atlas_h, CoordinatesAreVerifiedPackedAndKept)
   EXPECT_EQ(atlas_generate(none.get(), &options), ATLAS_INVALID_ARGUMENT);
 }
 
+TEST(atlas_h, FacesAndCornersThatStay)
+{
+  Mesh mesh = box();
+  atlas_options options = defaults();
+  options.width = options.height = 256;
+  options.hard_angle = 60;
+  const Scene first = scene_of({mesh});
+  ASSERT_EQ(atlas_generate(first.get(), &options), ATLAS_OK);
+  const float* const uv = result_of(first, 0).corner_uvs;
+  mesh.corner_uvs.assign(uv, uv + 48);
+
+  // The first face is unwrapped anew, beside others that stay on their pages.
+  const unsigned char is_selected[6] = {1};
+  const unsigned int pages[6] = {0, 0, 0, 0, 0, 2};
+  atlas_mesh in_c = mesh.in_c();
+  in_c.selected = is_selected;
+  in_c.face_pages = pages;
+  const Scene part(atlas_create());
+  ASSERT_EQ(atlas_add_mesh(part.get(), &in_c), ATLAS_OK);
+  ASSERT_EQ(atlas_generate(part.get(), &options), ATLAS_OK) << atlas_error(part.get());
+  atlas_result result = result_of(part, 0);
+  EXPECT_TRUE(std::equal(uv + 8, uv + 48, result.corner_uvs + 8));
+  EXPECT_TRUE(std::equal(pages + 1, pages + 6, result.face_pages + 1));
+
+  // A corner is moved, and its chart follows.
+  mesh.corner_uvs[0] = mesh.corner_uvs[1] = 0.5f;
+  const unsigned char is_pinned[24] = {1};
+  in_c = mesh.in_c();
+  in_c.pinned = is_pinned;
+  const Scene pinned(atlas_create());
+  ASSERT_EQ(atlas_add_mesh(pinned.get(), &in_c), ATLAS_OK);
+  ASSERT_EQ(atlas_generate(pinned.get(), &options), ATLAS_OK) << atlas_error(pinned.get());
+  result = result_of(pinned, 0);
+  EXPECT_EQ(result.corner_uvs[0], 0.5f);
+  EXPECT_EQ(result.corner_uvs[1], 0.5f);
+  in_c.corner_uvs = nullptr;
+  const Scene nowhere(atlas_create());
+  ASSERT_EQ(atlas_add_mesh(nowhere.get(), &in_c), ATLAS_OK);
+  EXPECT_EQ(atlas_generate(nowhere.get(), &options), ATLAS_INVALID_ARGUMENT);
+}
+
 TEST(atlas_h, TheListenerCancels)
 {
   struct Listener

@@ -82,6 +82,41 @@ TYPED_TEST(FaceSelection, new_charts_go_around_faces_that_stay_to_the_bit)
   EXPECT_EQ(whole.charts, report.charts.size());
 }
 
+TYPED_TEST(FaceSelection, faces_stay_on_their_pages)
+{
+  const TypeParam mesh = mesh_of<TypeParam>(cube());
+  Part<TypeParam> part(mesh);
+  std::map<Face<TypeParam>, int> page;
+  int number = 0;
+  for (const auto f : faces(mesh)) {
+    part.is_selected[f] = number == 0;
+    page[f] = number++; // five whole pages, at the same place
+    int i = 0;
+    for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      part.uv[h] = Point_2(i == 1 || i == 2, i >= 2);
+      ++i;
+    }
+  }
+  const auto before = part.uv;
+  const auto pages_before = page;
+  const auto common = parameters::texture_size(64).gutter(0);
+  const boost::associative_property_map<std::map<Face<TypeParam>, int>> page_map(page);
+  const Atlas_report report = generate_atlas(
+      mesh, part.uv_map(), common.face_selection_map(part.selection()).face_page_map(page_map));
+  ASSERT_TRUE(report.is_valid()) << message(report.certificate);
+  EXPECT_EQ(page, pages_before);
+  for (const auto& [h, p] : before)
+    EXPECT_EQ(part.uv.at(h) == p, !part.is_selected.at(face(h, mesh)));
+  EXPECT_TRUE(verify_atlas(mesh, part.uv_map(), common.face_page_map(page_map)).is_valid());
+  // Without the pages all of them would lie on the first.
+  part.uv = before;
+  EXPECT_FALSE(generate_atlas(mesh, part.uv_map(), common.face_selection_map(part.selection())).is_valid());
+  page[*++faces(mesh).begin()] = -1;
+  EXPECT_THROW((void)generate_atlas(mesh, part.uv_map(),
+                                    common.face_selection_map(part.selection()).face_page_map(page_map)),
+               Invalid_argument);
+}
+
 TYPED_TEST(FaceSelection, faces_without_coordinates_are_selected_too)
 {
   const TypeParam mesh = mesh_of<TypeParam>(cube());

@@ -184,7 +184,17 @@ expect 0 0 squares.obj -o out/a.obj --texture-size 256 --only iron --only wood -
 sed 's#^f 9/9 10/10 11/11 12/12#f 9 10 11 12#' squares.obj >partly.obj # the new face alone has no coordinates
 expect 0 0 partly.obj -o out/a.obj --texture-size 256 --only iron --quiet
 expect 0 1 unlockable.obj -o out/a.obj --texture-size 256 --only iron
-grep -q '2 faces that are to stay' stderr || fail "faces that cannot stay: $(cat stderr)"
+grep -q '1 faces that are to stay' stderr || fail "a face that cannot stay: $(cat stderr)"
+[ "$(sed -n 2p <(places out/a.obj))" = "$(sed -n 2p <(places unlockable.obj))" ] || fail "a face that lies face down is moved"
+awk '$1 == "vt" { $2 += 3; $3 += 1 } 1' squares.obj >tile.obj # tile 1014 of pages that are no squares
+expect 0 0 tile.obj -o out/a.obj --texture-size 256x512 --only iron --quiet
+[ "$(places out/a.obj | head -2)" = "$(places tile.obj | head -2)" ] || fail "faces on another tile: $(places out/a.obj)"
+printf 'l 9 10\n' >cuts.obj
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --only iron --seams cuts.obj --quiet
+[ "$(moved out/a.obj)" = '3 4 5 6 ' ] || fail "only iron, with seams: moved are $(moved out/a.obj)"
+printf '9 0.5 0.5\n' >places.txt
+expect 0 0 squares.obj -o out/a.obj --texture-size 256 --pinned places.txt --quiet
+grep -q '^vt 0.5 0.5$' out/a.obj || fail "a pinned vertex of a mesh with materials: $(places out/a.obj)"
 awk '$1 == "vt" { $2 += 0.9 } 1' squares.obj >wide.obj # across the border of a tile
 rm -f out/a.obj
 expect 3 1 wide.obj -o out/a.obj --texture-size 256 --only iron
@@ -192,6 +202,7 @@ grep -q 'goes beyond its tile' stderr && [ ! -e out/a.obj ] || fail "charts that
 expect 2 1 squares.obj -o out/a.obj --only gold
 expect 2 1 squares.obj -o out/a.obj --only iron --keep-uv
 expect 2 1 squares.obj -o out/a.obj --only iron --lock wood
+expect 2 1 squares.obj -o out/a.obj --only iron --pinned places.txt
 for wish in '--lock wood' '--group wood'; do
   expect 2 1 squares.obj -o out/b.obj $wish
   grep -q -e "${wish% *}: .*keep-uv" stderr || fail "no word on --keep-uv: $(cat stderr)"

@@ -97,6 +97,8 @@ export interface SceneMesh {
   visibility?: Float64Array | number[];
   /** Per face: whether it is unwrapped anew. All others keep their coordinates. */
   selected?: Uint8Array | boolean[];
+  /** Per corner: whether it keeps its coordinates, in the unit square of the first page. Charts follow. */
+  pinned?: Uint8Array | boolean[];
 }
 
 export interface Result {

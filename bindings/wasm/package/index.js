@@ -100,6 +100,10 @@ export function floats(array) {
   return array === undefined || array === null || array instanceof Float32Array ? array : Float32Array.from(array);
 }
 
+function flags(array) {
+  return array && Uint8Array.from(array, (is) => (is ? 1 : 0));
+}
+
 function requireLength(array, length, name) {
   if (array && array.length !== length)
     throw new AtlasError(`${name} must have ${length} entries, but has ${array.length}`, -1);
@@ -138,7 +142,7 @@ export class Scene {
   /**
    * Adds a mesh and returns its number.
    * mesh: { positions, indices, faceSizes, stride, vertexUvs, cornerUvs, facePages, faceMaterials, seams, forbiddenSeams,
-   * visibility, selected };
+   * visibility, selected, pinned };
    * all but positions may be left out. Without indices every three vertices are a triangle, without faceSizes all faces are.
    */
   addMesh(mesh) {
@@ -160,15 +164,18 @@ export class Scene {
     const seams = unsigned(mesh.seams, 'seams');
     const forbidden = unsigned(mesh.forbiddenSeams, 'forbiddenSeams');
     const visibility = mesh.visibility && Float64Array.from(mesh.visibility);
-    const selected = mesh.selected && Uint8Array.from(mesh.selected, (is) => (is ? 1 : 0));
+    const selected = flags(mesh.selected);
+    const pinned = flags(mesh.pinned);
     requireLength(visibility, vertices, 'visibility');
     requireLength(selected, faces, 'selected');
+    requireLength(pinned, corners, 'pinned');
     requireLength(vertexUvs, 2 * vertices, 'vertexUvs');
     requireLength(cornerUvs, 2 * corners, 'cornerUvs');
     requireLength(pages, faces, 'facePages');
     requireLength(materials, faces, 'faceMaterials');
     withArena((arena) => {
-      const arrays = [positions, indices, sizes, vertexUvs, cornerUvs, pages, materials, seams, forbidden, visibility, selected];
+      const arrays =
+        [positions, indices, sizes, vertexUvs, cornerUvs, pages, materials, seams, forbidden, visibility, selected, pinned];
       const addresses = arena.copy(Uint32Array.from(arrays, (array) => arena.copy(array)));
       const numbers = arena.copy(
         Uint32Array.of(isDouble ? 1 : 0, step * positions.BYTES_PER_ELEMENT, vertices, faces,

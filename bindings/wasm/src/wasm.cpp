@@ -169,8 +169,8 @@ EMSCRIPTEN_KEEPALIVE const char* wasm_error(const Wasm_scene* scene)
 }
 
 /// \param arrays addresses of positions, indices, face sizes, coordinates of vertices, those of corners,
-/// pages, materials, seams, forbidden seams, visibilities and selected faces; 0: none \param sizes position
-/// type, stride, and the numbers of vertices, faces and the seams
+/// pages, materials, seams, forbidden seams, visibilities, selected faces and pinned corners; 0: none \param
+/// sizes position type, stride, and the numbers of vertices, faces and the seams
 EMSCRIPTEN_KEEPALIVE int wasm_add_mesh(Wasm_scene* scene, void* const* arrays, const unsigned* sizes)
 {
   atlas_mesh mesh;
@@ -186,6 +186,7 @@ EMSCRIPTEN_KEEPALIVE int wasm_add_mesh(Wasm_scene* scene, void* const* arrays, c
   mesh.forbidden_seams = static_cast<unsigned*>(arrays[8]);
   mesh.visibility = static_cast<double*>(arrays[9]);
   mesh.selected = static_cast<unsigned char*>(arrays[10]);
+  mesh.pinned = static_cast<unsigned char*>(arrays[11]);
   mesh.position_type = int(sizes[0]);
   mesh.position_stride = sizes[1];
   mesh.number_of_vertices = sizes[2];

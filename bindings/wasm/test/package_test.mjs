@@ -149,6 +149,8 @@ test('options and arrays that few need', () => {
     [box, { hide_seams: 'dome' }],
     [{ ...box, visibility: [1] }, {}],
     [{ ...box, selected: [true] }, {}],
+    [{ ...box, pinned: [true] }, {}],
+    [{ ...box, pinned: corners.map(() => true) }, {}], // without coordinates
   ])
     assert.throws(() => chartsOf(mesh, options), AtlasError);
   // One face is unwrapped anew, and the others stay.
@@ -160,6 +162,14 @@ test('options and arrays that few need', () => {
       again.addMesh({ ...box, cornerUvs, selected: faceSizes.map((_, f) => f === 0) });
       assert.equal(again.generate({ width: 256, height: 256 }), true);
       assert.deepEqual(again.result(0).cornerUvs.slice(8), cornerUvs.slice(8));
+    });
+    // A corner is pinned, and its chart follows.
+    withScene((again) => {
+      const pinned = corners.map((_, c) => c === 0);
+      again.addMesh({ ...box, cornerUvs: cornerUvs.map((x, i) => (i < 2 ? 0.5 : x)), pinned });
+      assert.equal(again.generate({ width: 256, height: 256, hard_angle: 60 }), true);
+      assert.deepEqual([...again.result(0).cornerUvs.slice(0, 2)], [0.5, 0.5]);
+      assert.deepEqual(again.report.moved_pins, []);
     });
     // Its six charts merge.
     assert.ok(chartsOf({ ...box, cornerUvs }, { defragment: true }) < 6);

@@ -30,6 +30,8 @@ void check(const Material_rules& rules)
 
 std::vector<Material_rule> rules_of(const Material_rules& rules, const Atlas::Polygon_soup& model)
 {
+  if (rules.weights.empty() && rules.grouped.empty() && rules.locked.empty())
+    return {};
   std::vector<Material_rule> result(model.material_names.size());
   const auto rule_of = [&](const std::string& name, const char* option) -> Material_rule& {
     const auto& names = model.material_names;

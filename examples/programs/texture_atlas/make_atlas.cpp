@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The call of the library.
-#include <Atlas/core/build_surface.h>
+#include <Atlas/core/errors.h>
+#include <Atlas/image/pages.h>
 #include <Atlas/soup/internal/atlas_of_soup.h>
 
 #include "texture_atlas.h"
@@ -30,72 +31,26 @@ Atlas::Distortion_measure measure_of(const std::string& name)
                                           : symmetric_dirichlet;
 }
 
-/// A part of a model, and where it is in it.
-struct Part
+/// The model with coordinates and pages of the faces that are to stay as the library wants them: tiles are
+/// pages. \throw Atlas::IO_error if one goes beyond its tile
+Atlas::Polygon_soup with_kept_places(const Atlas::Polygon_soup& model, const std::vector<bool>& is_unwrapped)
 {
-  Atlas::Polygon_soup soup;
-  std::vector<std::size_t> faces; ///< of the model
-};
-
-Part part_of(const Atlas::Polygon_soup& model, const std::vector<bool>& is_wanted)
-{
-  Part part;
-  part.soup.points = model.points;
-  for (std::size_t f = 0; f < model.number_of_faces(); ++f)
-    if (is_wanted[f]) {
-      const auto face = model.face(f);
-      part.soup.vertices.insert(part.soup.vertices.end(), face.begin(), face.end());
-      part.soup.close_face();
-      part.faces.push_back(f);
+  constexpr double slack = 1e-6; // of rounding
+  Atlas::Polygon_soup result = model;
+  if (result.face_page.empty())
+    Atlas::separate_udim(result);
+  for (std::size_t f = 0; f < result.number_of_faces(); ++f)
+    for (std::size_t c = result.first[f]; c < result.first[f + 1] && !is_unwrapped[f]; ++c) {
+      const Atlas::Point_2& p = result.uv[c];
+      const Atlas::Point_2 inside(std::clamp(p.x(), 0., 1.), std::clamp(p.y(), 0., 1.));
+      if (std::max(std::abs(p.x() - inside.x()), std::abs(p.y() - inside.y())) > slack)
+        throw Atlas::IO_error("face " + std::to_string(f + 1) +
+                              " is to stay, but lies outside of the tiles 1001 to 9999, or goes beyond its "
+                              "tile: unwrap it too, or move it there");
+      if (std::isfinite(inside.x() + inside.y()))
+        result.uv[c] = inside;
     }
-  return part;
-}
-
-/// The model with new coordinates for a part, away from the others, and a material for each of the two.
-Atlas::Polygon_soup with_part(const Atlas::Polygon_soup& model, const Part& part,
-                              const std::vector<Atlas::Point_2>& uv, const std::vector<Atlas::Index>& page)
-{
-  Atlas::Polygon_soup result;
-  result.points = model.points;
-  result.first = model.first;
-  result.vertices = model.vertices;
-  result.uv = model.uv;
-  double right = 0; // of all that is there
-  for (const Atlas::Point_2& p : model.uv)
-    right = std::isfinite(p.x()) ? std::max(right, std::ceil(p.x())) : right;
-  result.material_names = {"rest", "part"};
-  result.face_material.assign(model.number_of_faces(), 0);
-  for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    const std::size_t f = part.faces[i];
-    result.face_material[f] = 1;
-    for (std::size_t k = 0; k < model.face(f).size(); ++k) {
-      const Atlas::Point_2& p = uv[part.soup.first[i] + k];
-      result.uv[model.first[f] + k] = Atlas::Point_2(p.x() + right + 1 + 2 * page[i], p.y());
-    }
-  }
   return result;
-}
-
-/// Unwraps some faces, and packs their charts around those of all others, which stay where they are.
-Atlas::Atlas_report remake_part(const Atlas::internal::Soup_options& wishes, const Atlas::Polygon_soup& model,
-                                const std::vector<bool>& is_wanted, Atlas::Surface& surface,
-                                std::vector<Atlas::Point_2>& uv,
-                                const std::function<bool(Atlas::Stage, double)>& progress)
-{
-  const Part part = part_of(model, is_wanted);
-  Atlas::Surface surface_of_part =
-      Atlas::build_surface(surface.points, part.soup.first, part.soup.vertices); // as they are welded
-  std::vector<Atlas::Point_2> uv_of_part;
-  Atlas::Atlas_report report = atlas_of_soup(wishes, part.soup, surface_of_part, uv_of_part, progress);
-  if (uv_of_part.empty())
-    return report;
-  Atlas::internal::Soup_options kept = wishes;
-  kept.keeps_uv = true;
-  kept.seam_exchange_rate = 0;
-  kept.rules.resize(2);
-  kept.rules[0].is_locked = true;
-  const Atlas::Polygon_soup whole = with_part(model, part, uv_of_part, report.face_page);
-  return atlas_of_soup(kept, whole, surface, uv, progress);
 }
 
 } // namespace
@@ -156,7 +111,8 @@ Atlas::Atlas_report make_atlas(const Options& options, const Atlas::Polygon_soup
     wishes.pins = pin_vertices(options.pinned, pinned);
     return atlas_of_soup(wishes, pinned, surface, uv, progress);
   }
-  return options.only.empty()
-             ? atlas_of_soup(wishes, model, surface, uv, progress)
-             : remake_part(wishes, model, faces_to_unwrap(options, model), surface, uv, progress);
+  if (options.only.empty())
+    return atlas_of_soup(wishes, model, surface, uv, progress);
+  wishes.selection = faces_to_unwrap(options, model);
+  return atlas_of_soup(wishes, with_kept_places(model, *wishes.selection), surface, uv, progress);
 }

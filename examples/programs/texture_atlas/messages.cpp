@@ -82,7 +82,7 @@ std::size_t moved_locked_faces(const Options& options, const Atlas::Polygon_soup
       is_moved = is_moved || !(std::abs(uv[c].x() - model.old_uv[c].x()) <= tolerance &&
                                std::abs(uv[c].y() - model.old_uv[c].y()) <= tolerance);
     const Atlas::Index material = model.face_material[f];
-    const bool is_locked = material != Atlas::no_index && rules[material].is_locked;
+    const bool is_locked = !rules.empty() && material != Atlas::no_index && rules[material].is_locked;
     count += is_moved && (options.only.empty() ? is_locked : !is_unwrapped[f]);
   }
   return count;
@@ -95,10 +95,9 @@ void print_unfulfilled(const Options& options, const Atlas::Polygon_soup& model,
 {
   if (!options.materials.locked.empty() || !options.only.empty())
     if (const std::size_t moved = moved_locked_faces(options, model))
-      std::fprintf(stderr,
-                   "texture_atlas: %zu faces that are to stay have no usable place in the file (no "
-                   "coordinates, face down, or folded) and got another\n",
-                   moved);
+      std::fprintf(stderr, "texture_atlas: %zu faces that are to stay have no %s and got another\n", moved,
+                   options.only.empty() ? "usable place in the file (no coordinates, face down, or folded)"
+                                        : "place in the file");
   tell_lower_density("texture_atlas", options, report.density);
   if (report.added_seams > 0)
     std::fprintf(

@@ -231,11 +231,9 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
       throw CLI::ValidationError(named, why);
   };
   if (!options.only.empty())
-    for (const char* name : {"--keep-uv", "--defragment", "--group", "--lock", "--weight", "--seams",
-                             "--hide-seams", "--separate-materials", "--free-aspect", "--min-coverage"})
+    for (const char* name : {"--keep-uv", "--defragment", "--group", "--lock", "--weight", "--stack",
+                             "--free-aspect", "--min-coverage"})
       refuse(name, "--only", std::string("does not go with ") + name);
-  if (!options.only.empty() && options.page.width != options.page.height)
-    throw CLI::ValidationError("--only", "charts stay where they are on square pages only");
   if (options.merges_uv)
     for (const char* name : {"--straighten", "--symmetry", "--segmentation", "--parameterizer", "--solver",
                              "--pins", "--optimizer", "--validator", "--max-area-ratio"})
@@ -243,7 +241,7 @@ void check_use_of_uv(const CLI::App& app, const Options& options)
   if (options.has_only_given_seams)
     for (const char* name : {"--max-distortion", "--measure", "--max-stretch", "--max-charts",
                              "--min-chart-texels", "--symmetry", "--straighten", "--segmentation",
-                             "--keep-uv", "--defragment", "--only", "--min-coverage", "--seam-exchange-rate"})
+                             "--keep-uv", "--defragment", "--min-coverage", "--seam-exchange-rate"})
       refuse(name, "--seams-only", std::string("the seams are given: leave out ") + name);
   if (options.merges_uv && options.mode == "paper")
     throw CLI::ValidationError("--defragment", "charts do not merge in --mode paper");

@@ -115,6 +115,11 @@ Exit_code say(const Options& options, const Atlas::Atlas_report& report)
   return success;
 }
 
+bool has_coordinates(const Atlas::Atlas_report& report)
+{
+  return report.status == Atlas::Atlas_status::valid || report.status == Atlas::Atlas_status::not_valid;
+}
+
 /// Makes the atlas, and gives the model its coordinates.
 Atlas::Atlas_report fill_model(Options& options, Input& input, const Patience& patience)
 {
@@ -125,7 +130,7 @@ Atlas::Atlas_report fill_model(Options& options, Input& input, const Patience& p
   progress.finish();
   if (!options.tells_times)
     report.seconds = {};
-  if (report.status == Atlas::Atlas_status::cancelled || report.status == Atlas::Atlas_status::no_surface)
+  if (!has_coordinates(report))
     return report;
   model.old_uv = std::exchange(model.uv, std::move(uv));
   model.face_page = report.face_page;
@@ -188,7 +193,7 @@ int run(Options& options)
   options.page.height = report.page_height;
   if (report.status == Atlas::Atlas_status::cancelled)
     return patience.say();
-  if (report.status == Atlas::Atlas_status::no_surface) {
+  if (!has_coordinates(report)) {
     print_error(options.name() + ": " + message(report.status));
     return not_valid;
   }

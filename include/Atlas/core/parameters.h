@@ -117,8 +117,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return with<internal::only_given_seams_t>(k);
   }
   /// The faces that are unwrapped: a readable map of Booleans from faces (of flat arrays from their numbers).
-  /// All others keep, to the bit, the coordinates that they have, in [0, 1]^2 of the first page, and new
-  /// charts are packed around them. Default: all faces.
+  /// All others keep, to the bit, the coordinates that they have, in [0, 1]^2 of the first page or of that
+  /// which `face_page_map` has, and new charts are packed around them. Default: all faces.
   template <typename K>
   auto face_selection_map(const K& k) const
   {
@@ -227,7 +227,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {
     return with<internal::face_chart_map_t>(k);
   }
-  /// Output: a writable face map of integers, the page of each face.
+  /// Output: a writable face map of integers, the page of each face. With `face_selection_map` a readable map
+  /// is also asked for the pages of the faces that stay.
   template <typename K>
   auto face_page_map(const K& k) const
   {

@@ -46,7 +46,8 @@ private:
   /// Which attributes there are.
   struct Attributes
   {
-    bool colors = false, face_colors = false, uv = false, normals = false, materials = false, groups = false;
+    bool colors = false, face_colors = false, uv = false, normals = false, materials = false, groups = false,
+         pages = false;
   };
 
   /// Where a model starts in each of the lists.

@@ -2,6 +2,7 @@
 #ifndef ATLAS_PIPELINE_INTERNAL_REMAKE_FACES_H
 #define ATLAS_PIPELINE_INTERNAL_REMAKE_FACES_H
 
+#include <Atlas/core/Packing.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/measure/distortion.h>
@@ -36,20 +37,28 @@ public:
   using Run = std::function<Atlas_report(const Surface&, std::vector<Point_2>&)>;
 
   /// \param selection  per input face
+  /// \param pages      per input face: the page of the coordinates that it keeps; empty: all are on the first
   /// \param uv         per input corner: the coordinates that there are
-  Face_remaker(const Surface& surface, const std::vector<bool>& selection, const Pins& pins,
-               const std::vector<Point_2>& uv)
-      : surface_(surface), pins_(pins), uv_(uv)
+  Face_remaker(const Surface& surface, const std::vector<bool>& selection, const std::vector<Index>& pages,
+               const Pins& pins, const std::vector<Point_2>& uv)
+      : surface_(surface), pins_(pins), uv_(uv), pages_(pages)
   {
     require(selection.size() == surface.number_of_faces, "face_selection_map",
             "must tell of each face whether it is selected");
     require(uv.size() == surface.number_of_corners, "face_selection_map",
             "goes with the coordinates that the other faces have");
+    require(pages.empty() || pages.size() == surface.number_of_faces, "face_page_map",
+            "must have the page of each face");
+    pages_.resize(surface.number_of_faces, 0);
     std::vector<bool> is_new = selection;
     for (std::size_t h = 0; h < surface.corner.size(); ++h) {
       const Point_2& p = uv[surface.corner[h]];
       if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
         is_new[surface.face[h / 3]] = true;
+    }
+    for (std::size_t f = 0; f < pages_.size(); ++f) {
+      require(is_new[f] || pages_[f] < max_pages, "face_page_map", "has a page that there cannot be");
+      pages_[f] = is_new[f] ? 0 : pages_[f];
     }
     is_new_.resize(surface.number_of_triangles());
     for (std::size_t t = 0; t < is_new_.size(); ++t)
@@ -131,7 +140,12 @@ private:
   {
     rest_ = part_of_surface(
         surface_, [&](Index t) { return !is_new_[t]; }, kept_triangles_);
-    Segmentation segmentation = charts_of_uv(rest_, uv_);
+    std::vector<Point_2> apart = uv_; // no chart goes over pages
+    for (std::size_t h = 0; h < rest_.corner.size(); ++h) {
+      const Point_2& p = uv_[rest_.corner[h]];
+      apart[rest_.corner[h]] = Point_2(p.x() + 2. * page_of_kept(h / 3), p.y());
+    }
+    Segmentation segmentation = charts_of_uv(rest_, apart);
     take_charts(rest_, segmentation, uv_, width, height);
     return segmentation;
   }
@@ -175,7 +189,8 @@ private:
   {
     Page_options room = page;
     room.locked.assign(fresh_, std::nullopt);
-    room.locked.resize(charts_.size(), Placement());
+    for (std::size_t c = fresh_; c < charts_.size(); ++c)
+      room.locked.push_back(Placement{.page = page_of_kept(charts_[c].source.front())});
     for (const Pinned_charts::Pinned_chart& p : pinned.list()) {
       charts_[p.chart].uv = p.is_kept() ? pinned.texels(p) : p.flat.uv;
       if (p.is_kept())
@@ -184,12 +199,16 @@ private:
     return packer.pack(charts_, room, execution);
   }
 
-  /// The triangles that stay.
+  /// \param t  of the part that stays
+  Index page_of_kept(std::size_t t) const { return pages_[surface_.face[kept_triangles_[t]]]; }
+
+  /// The triangles that stay on the first page, where pins are.
   std::vector<Triangle_uv> kept_on_page() const
   {
     std::vector<Triangle_uv> result;
     for (std::size_t h = 0; h < rest_.corner.size(); h += 3)
-      result.push_back({uv_[rest_.corner[h]], uv_[rest_.corner[h + 1]], uv_[rest_.corner[h + 2]]});
+      if (page_of_kept(h / 3) == 0)
+        result.push_back({uv_[rest_.corner[h]], uv_[rest_.corner[h + 1]], uv_[rest_.corner[h + 2]]});
     return result;
   }
 
@@ -210,7 +229,7 @@ private:
     std::vector<Index> numbers;
     const Surface placed = part_of_surface(
         surface_, [&](Index t) { return is_placed[t]; }, numbers);
-    const Atlas_certificate kept = certify(placed, result_, {}, options, execution);
+    const Atlas_certificate kept = certify(placed, result_, pages_, options, execution);
     return std::min({gutter, kept.chart_distance, 2 * std::max(0., kept.page_border_distance)});
   }
 
@@ -283,7 +302,7 @@ private:
     std::vector<Index> number(count, no_index);
     std::vector<Chart_report> charts;
     report.face_chart.assign(surface_.number_of_faces, no_index);
-    report.face_page.assign(surface_.number_of_faces, 0);
+    report.face_page = pages_;
     for (Index t = 0; t < whole.chart.size(); ++t) {
       const Index c = whole.chart[t];
       if (number[c] == no_index) {
@@ -362,6 +381,7 @@ private:
   const Pins& pins_;
   Surface rest_; ///< what stays
   const std::vector<Point_2>& uv_;
+  std::vector<Index> pages_;                      ///< per input face: of those that stay, of all others 0
   std::vector<bool> is_new_;                      ///< per triangle
   std::vector<Index> triangles_, kept_triangles_; ///< of the part, and of the rest: those of the surface
   std::size_t fresh_ = 0;                         ///< how many charts are new

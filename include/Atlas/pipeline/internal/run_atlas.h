@@ -43,6 +43,7 @@ struct Atlas_request
   bool is_straightened = false;               ///< whether grids of quadrilaterals become rectangles
   bool has_only_given_seams = false;          ///< whether charts are what wanted seams and patches make
   std::optional<std::vector<bool>> selection; ///< per input face whether it is unwrapped; none: all are
+  std::vector<Index> face_page; ///< per input face: the page where it stays; empty: all on the first
   std::optional<std::vector<bool>>
       pins; ///< per input corner whether it keeps its coordinates; none: none does
   unsigned threads = 0;

@@ -254,7 +254,7 @@ ATLAS_INLINE Atlas_report run_atlas(const Surface& surface, const Atlas_request&
       };
       const std::vector<bool> all(request.selection ? 0 : input.number_of_faces, true);
       const Pins pins = pins_of(request);
-      report = Face_remaker(input, request.selection ? *request.selection : all, pins,
+      report = Face_remaker(input, request.selection ? *request.selection : all, request.face_page, pins,
                             corner_uv)(run_part, policies.packer, page, execution, corner_uv);
     } else {
       report = run(input, policies, corner_uv);

@@ -54,6 +54,7 @@ ATLAS_INLINE Joined_soups::Joined_soups(std::vector<Polygon_soup> soups)
     has_.normals = has_.normals || !soup.corner_normal.empty();
     has_.materials = has_.materials || !soup.face_material.empty();
     has_.groups = has_.groups || !soup.face_group.empty();
+    has_.pages = has_.pages || !soup.face_page.empty();
     number_of_points_ += soup.points.size();
   }
   for (Polygon_soup& soup : soups)
@@ -131,7 +132,8 @@ ATLAS_INLINE std::vector<Index> Joined_soups::common_materials(const std::vector
 ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
 {
   const Attributes has{!soup.colors.empty(),        !soup.face_colors.empty(),   !soup.uv.empty(),
-                       !soup.corner_normal.empty(), !soup.face_material.empty(), !soup.face_group.empty()};
+                       !soup.corner_normal.empty(), !soup.face_material.empty(), !soup.face_group.empty(),
+                       !soup.face_page.empty()};
   start_part(has);
   const Part& part = parts_.back();
   const std::size_t points = soup.points.size(), corners = soup.number_of_corners(),
@@ -149,6 +151,8 @@ ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
     soup.face_material.resize(faces, no_index);
   if (has_.groups)
     soup.face_group.resize(faces, no_index);
+  if (has_.pages)
+    soup.face_page.resize(faces, 0);
   for (Index& v : soup.vertices)
     v = common_vertex(v, part.vertex, points);
   internal::raise(soup.corner_normal, part.normal);
@@ -169,6 +173,7 @@ ATLAS_INLINE void Joined_soups::append(Polygon_soup&& soup)
   internal::append_list(whole_.face_material, std::move(soup.face_material));
   internal::append_list(whole_.group_names, std::move(soup.group_names));
   internal::append_list(whole_.face_group, std::move(soup.face_group));
+  internal::append_list(whole_.face_page, std::move(soup.face_page));
 }
 
 } // namespace Atlas

@@ -155,17 +155,18 @@ inline Policies merging_policies(Policies policies, const Soup_options& options,
   return policies;
 }
 
-/// Faces or corners by number: whether they are among some.
+/// What a list has for faces or corners, by their numbers.
+template <typename Value>
 struct Listed
 {
   using key_type = Index;
-  using value_type = bool;
-  using reference = bool;
+  using value_type = Value;
+  using reference = Value;
   using category = boost::readable_property_map_tag;
 
-  const std::vector<bool>& is_listed;
+  const std::vector<Value>& list;
 
-  friend bool get(const Listed& map, Index i) { return map.is_listed[i]; }
+  friend Value get(const Listed& map, Index i) { return map.list[i]; }
 };
 
 /// \param uv  output; what is not selected, or is pinned, keeps the model's coordinates
@@ -175,19 +176,22 @@ Atlas_report atlas_of_selection(const Soup_options& options, const Polygon_soup&
 {
   if (!options.selection && !options.pins)
     return generate_atlas(surface, uv, np);
+  require(options.rules.empty(), options.pins ? "pinned" : "selected",
+          "does not go with rules for materials");
   uv = model.uv;
   if (options.pins) {
     require(options.pins->size() == surface.number_of_corners, "pinned",
             "must have an entry for each corner");
-    require(options.rules.empty(), "pinned", "does not go with rules for materials");
   }
   if (!options.selection)
-    return generate_atlas(surface, uv, np.pinned_map(Listed{*options.pins}));
+    return generate_atlas(surface, uv, np.pinned_map(Listed<bool>{*options.pins}));
   require(options.selection->size() == surface.number_of_faces, "selected",
           "must have an entry for each face");
-  require(options.rules.empty(), "selected", "does not go with rules for materials");
-  const auto selected = np.face_selection_map(Listed{*options.selection});
-  return options.pins ? generate_atlas(surface, uv, selected.pinned_map(Listed{*options.pins}))
+  std::vector<Index> pages = model.face_page;
+  pages.resize(surface.number_of_faces, 0);
+  const auto selected =
+      np.face_selection_map(Listed<bool>{*options.selection}).face_page_map(Listed<Index>{pages});
+  return options.pins ? generate_atlas(surface, uv, selected.pinned_map(Listed<bool>{*options.pins}))
                       : generate_atlas(surface, uv, selected);
 }
 
