@@ -80,6 +80,8 @@ TYPED_TEST(FaceSelection, new_charts_go_around_faces_that_stay_to_the_bit)
   const Atlas_certificate whole = verify_atlas(mesh, part.uv_map(), parameters::texture_size(512).gutter(4));
   EXPECT_TRUE(whole.is_valid()) << message(whole);
   EXPECT_EQ(whole.charts, report.charts.size());
+  EXPECT_NEAR(whole.seam_length, report.seam_length, 1e-9 * whole.seam_length);
+  EXPECT_NEAR(report.area, 4 * 3.14159, 0.5);
 }
 
 TYPED_TEST(FaceSelection, faces_stay_on_their_pages)

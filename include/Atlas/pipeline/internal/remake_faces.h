@@ -319,6 +319,8 @@ private:
     report.charts = std::move(charts);
     if (pinned.keeps_any())
       summarize_pinned(report, page, pinned, number);
+    report.area = area_3d(surface_);
+    report.seam_length = seam_length(surface_, whole);
     report.segmentation = std::move(whole);
     report.pages = packing.number_of_pages;
     report.density = packing.density;
