@@ -187,6 +187,18 @@ private:
       if (const std::string name = "TEXCOORD_" + std::to_string(n);
           n == changes_.uv_set || !attributes.contains(name))
         attributes[name] = coordinates;
+    order_sets(attributes);
+  }
+
+  /// Puts the sets of coordinates in the order of their numbers: there are readers that refuse another one.
+  static void order_sets(Json& attributes)
+  {
+    for (int n = 0; attributes.contains("TEXCOORD_" + std::to_string(n)); ++n) {
+      const std::string name = "TEXCOORD_" + std::to_string(n);
+      const Json accessor = attributes[name];
+      attributes.erase(name);
+      attributes[name] = accessor;
+    }
   }
 
   /// Sets of coordinates from the new one on move up by one.
