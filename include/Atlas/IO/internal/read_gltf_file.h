@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_READ_GLTF_FILE_H
 #define ATLAS_IO_INTERNAL_READ_GLTF_FILE_H
 
+#include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/glb.h>
 #include <Atlas/IO/internal/gltf_codecs.h>
 #include <Atlas/core/errors.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -99,19 +99,6 @@ private:
       item.erase("extensions");
   }
 
-  static std::string decoded_uri(std::string_view uri)
-  {
-    std::string result;
-    for (std::size_t i = 0; i < uri.size(); ++i)
-      if (uri[i] == '%' && i + 2 < uri.size()) {
-        result += static_cast<char>(std::strtol(std::string(uri.substr(i + 1, 2)).c_str(), nullptr, 16));
-        i += 2;
-      } else {
-        result += uri[i];
-      }
-    return result;
-  }
-
   void read_buffers()
   {
     for (const Json& buffer : json_.at("buffers")) {
@@ -127,7 +114,8 @@ private:
           fail("a buffer is not in base 64");
         bytes.assign(data.begin(), data.end());
       } else {
-        bytes = read_whole_file(path_.parent_path() / decoded_uri(uri));
+        const std::filesystem::path folder = path_.parent_path();
+        bytes = read_whole_file(find_file(folder, uri).value_or(folder / uri));
       }
     }
   }
@@ -260,6 +248,11 @@ private:
 inline std::string read_gltf_file(const std::filesystem::path& path)
 {
   std::string bytes = read_whole_file(path);
+  if (!is_glb(bytes))
+    bytes = utf8_of_any(std::move(bytes));
+  else if (const std::size_t told = glb_size(bytes); told > bytes.size())
+    throw IO_error(path.string() + ": the file ends after " + std::to_string(bytes.size()) + " of its " +
+                   std::to_string(told) + " bytes");
   if (gltf_json(bytes).find("_compression\"") == std::string_view::npos)
     return bytes;
   return Gltf_decompressor(bytes, path).bytes();
