@@ -189,6 +189,8 @@ int run(Options& options)
   if (report.status == Atlas::Atlas_status::cancelled)
     return patience.say();
   if (report.status == Atlas::Atlas_status::no_surface) {
+    if (!options.is_quiet)
+      print_rejected(options, input.models, report);
     print_error(options.name() + ": " + message(report.status));
     return not_valid;
   }
