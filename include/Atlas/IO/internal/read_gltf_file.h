@@ -4,6 +4,7 @@
 
 #include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/glb.h>
+#include <Atlas/IO/internal/gltf_bounds.h>
 #include <Atlas/IO/internal/gltf_codecs.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/image/internal/Text_scanner.h>
@@ -206,7 +207,7 @@ private:
     if (!mesh)
       fail("its numbers are compressed (KHR_draco_mesh_compression) in a way that cannot be read");
     for (std::size_t i = 0; i < wanted.size(); ++i)
-      fill(json_["accessors"][accessors[i]], mesh->attributes[i], mesh->points);
+      fill(json_["accessors"][accessors[i]], mesh->attributes[i], mesh->points, wanted[i].width);
     const Json indices = {{"bufferView", add_view(mesh->indices)},
                           {"componentType", TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
                           {"count", mesh->indices.size() / 4},
@@ -222,8 +223,9 @@ private:
   }
 
   /// Gives an accessor its rows; in memory they start at multiples of four bytes.
-  void fill(Json& accessor, const std::string& rows, std::size_t count)
+  void fill(Json& accessor, const std::string& rows, std::size_t count, std::size_t components)
   {
+    renew_bounds(accessor, rows, components);
     const std::size_t width = count == 0 ? 0 : rows.size() / count, stride = (width + 3) / 4 * 4;
     std::string padded;
     for (std::size_t i = 0; i < count; ++i) {
