@@ -44,8 +44,10 @@ public:
         views_.emplace_back();
         continue;
       }
-      const auto begin = data->begin() + static_cast<std::ptrdiff_t>(offset);
-      views_.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(view.byteLength));
+      views_.emplace_back();
+      if (data)
+        views_.back().assign(data->begin() + static_cast<std::ptrdiff_t>(offset),
+                             data->begin() + static_cast<std::ptrdiff_t>(offset + view.byteLength));
     }
     for (const char* key : lists) // so that places in the JSON stay where they are
       if (!json.contains(key))

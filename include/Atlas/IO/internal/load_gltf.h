@@ -6,6 +6,7 @@
 #include <Atlas/IO/internal/glb.h>
 #include <Atlas/IO/internal/read_gltf_file.h>
 #include <Atlas/core/errors.h>
+#include <Atlas/image/internal/Reading_listener.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/image/internal/text_bytes.h>
 
@@ -15,12 +16,9 @@
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <tiny_gltf.h>
-#include <vector>
 
 namespace Atlas::internal {
 
@@ -33,64 +31,34 @@ inline std::string one_line(std::string text)
   return printable(text);
 }
 
-/// \brief How tinygltf comes to the files that a glTF file names: as MTL files name theirs, see
-/// `find_file()`.
-class Gltf_files
+/// The text of a glTF file in which files are called by the names that they have: see `find_file()`. A binary
+/// file stays as it is. Functions of tinygltf that read files are not exchanged instead, since a program that
+/// links libdraco, too, may get other ones by their names.
+inline std::string with_found_names(std::string bytes, const std::filesystem::path& folder)
 {
-public:
-  /// Must live as long as the loader loads.
-  Gltf_files(const std::filesystem::path& folder, tinygltf::TinyGLTF& loader) : folder_(folder)
-  {
-    set_callbacks<tinygltf::FsCallbacks>(loader);
-  }
-
-private:
-  template <typename Callbacks>
-  void set_callbacks(tinygltf::TinyGLTF& loader)
-  {
-    Callbacks callbacks{};
-    callbacks.FileExists = [](const std::string& path, void* files) { return find(path, files).has_value(); };
-    callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-    callbacks.ReadWholeFile = &read;
-    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                                  void*) { return false; };
-    if constexpr (requires { callbacks.GetFileSizeInBytes; }) // of later versions
-      callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& path,
-                                        void* files) {
-        std::error_code error;
-        const auto found = find(path, files);
-        *size = found ? static_cast<std::size_t>(std::filesystem::file_size(*found, error)) : 0;
-        return found && !error;
-      };
-    callbacks.user_data = this;
-    loader.SetFsCallbacks(callbacks);
-  }
-
-  /// \param path  the folder and a name; tinygltf tries other folders, too
-  static std::optional<std::filesystem::path> find(const std::string& path, void* files)
-  {
-    const std::string folder = static_cast<const Gltf_files*>(files)->folder_.string();
-    const std::size_t length = folder.empty() || folder.ends_with('/') ? folder.size() : folder.size() + 1;
-    if (!path.starts_with(folder) || path.size() <= length)
-      return std::nullopt;
-    return find_file(folder, path.substr(length));
-  }
-
-  static bool read(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
-                   void* files)
-  {
-    try {
-      const std::string contents = read_whole_file(find(path, files).value_or(path));
-      bytes->assign(contents.begin(), contents.end());
-      return true;
-    } catch (const IO_error& exception) {
-      *error += exception.what();
-      return false;
-    }
-  }
-
-  std::filesystem::path folder_;
-};
+  using Json = nlohmann::ordered_json;
+  Json json = is_glb(bytes) ? Json() : Json::parse(bytes, nullptr, false);
+  bool is_changed = false;
+  for (const char* key : {"buffers", "images"})
+    if (json.is_object() && json.contains(key) && json[key].is_array())
+      for (Json& item : json[key]) {
+        const auto* const uri =
+            item.is_object() && item.contains("uri") ? item["uri"].get_ptr<const std::string*>() : nullptr;
+        if (!uri || uri->starts_with("data:"))
+          continue;
+        const auto found = find_file(folder, *uri);
+        if (!found)
+          continue;
+        if (reading_listener())
+          (void)read_whole_file(*found); // tinygltf does not tell of what it reads
+        std::string name;
+        for (const char c : found->lexically_relative(folder).generic_string())
+          name += c == '%' ? "%25" : std::string(1, c);
+        is_changed = is_changed || name != *uri;
+        item["uri"] = name;
+      }
+  return is_changed ? json.dump(-1, ' ', false, Json::error_handler_t::replace) : bytes;
+}
 
 /// Whether a file that cannot be read, or has nothing in it, is one of glTF 1.0.
 inline bool is_gltf_1(std::string_view bytes)
@@ -110,8 +78,8 @@ inline bool is_gltf_1(std::string_view bytes)
 /// Parses a glTF file, text or binary, with the loader's way to load pictures. \throw IO_error
 inline tinygltf::Model load_gltf(const std::filesystem::path& path, tinygltf::TinyGLTF& loader)
 {
-  const std::string bytes = read_gltf_file(path), folder = path.parent_path().string();
-  const Gltf_files files(folder, loader);
+  const std::string folder = path.parent_path().string(),
+                    bytes = with_found_names(read_gltf_file(path), folder);
   const auto size = static_cast<unsigned>(bytes.size());
   tinygltf::Model model;
   std::string error, warning;
