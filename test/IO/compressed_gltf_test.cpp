@@ -7,6 +7,7 @@
 
 #include "gltf_builder.h"
 #include "temporary_folder.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -218,6 +219,30 @@ TEST(Compressed_gltf, draco)
   const auto path = folder.write("a.gltf", draco_scene(compressed_by_draco()).text());
   expect_grid(read_polygon_soup(path), 1e-4);
   expect_rewritten(folder, path, 1e-4);
+}
+
+TEST(Compressed_gltf, bounds_are_those_of_the_numbers_that_draco_gives)
+{
+  const test::Temporary_folder folder;
+  Builder b = draco_scene(compressed_by_draco());
+  b.json["accessors"][0]["min"] = {-.01, -.01, -.01};
+  b.json["accessors"][0]["max"] = {1.01, 1.01, 1.01};
+  const auto path = folder.write("a.gltf", b.text());
+  Polygon_soup soup = read_polygon_soup(path);
+  soup.uv.assign(soup.number_of_corners(), Point_2(0, 0));
+  const std::string glb = glb_bytes(path, soup);
+  const Json json = Json::parse(glb.substr(20, glb.find("BIN", 20) - 24));
+  const Json& accessor =
+      json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+  for (int k = 0; k < 3; ++k) {
+    double low = 1, high = 0;
+    for (const Point_3& p : soup.points) {
+      low = std::min(low, p[k]);
+      high = std::max(high, p[k]);
+    }
+    EXPECT_EQ(accessor["min"][std::size_t(k)].get<double>(), low);
+    EXPECT_EQ(accessor["max"][std::size_t(k)].get<double>(), high);
+  }
 }
 
 TEST(Compressed_gltf, meshopt)

@@ -101,6 +101,31 @@ TEST(Stl_dialects, words_in_any_case_and_spacing)
   expect_square(read_text("a.stl", utf16(text_square, false, true)));
 }
 
+TEST(Stl_dialects, text_with_more_than_facets)
+{
+  EXPECT_TRUE(read_text("a.stl", text_square).warnings.empty());
+  expect_square(read_text("a.stl", replaced(text_square, "outer loop", "outerloop")));
+  expect_square(read_text("a.stl", replaced(text_square, "\n", " ")));
+  expect_square(read_text("a.stl", "\n  " + text_square + "\x1A"));
+  expect_square(read_text("a.stl", text_square + std::string(500, '\0')));
+  expect_square(read_text("a.stl", replaced(text_square, "My part", "facet vertex")));
+  const Polygon_soup commented = read_text("a.stl", "; by hand\n# really\n" + text_square);
+  expect_square(commented);
+  EXPECT_EQ(commented.warnings,
+            std::vector<std::string>{"line 1 is passed over, as it begins with ';', and so "
+                                     "are others that begin with no keyword"});
+  expect_square(read_text("a.stl", replaced(text_square, "endfacet\n", "endfacet\ncolor 1 0 0\n")));
+}
+
+TEST(Stl_dialects, binary_with_bytes_behind_the_last_triangle)
+{
+  for (const std::uint32_t count : {0u, 2u, 0xFFFFFFFFu})
+    expect_square(read_text("a.stl", binary_square("x", count) + "ab"));
+  expect_square(read_text("a.stl", binary_square("x", 2) + std::string(1000, '\0')));
+  expect_square(read_text("a.stl", binary_square("\xFF\xFE", 2)));
+  EXPECT_THROW(read_text("a.stl", binary_square("x", 3).substr(0, 170)), IO_error);
+}
+
 TEST(Stl_dialects, wrong_counts_give_way_to_the_size)
 {
   EXPECT_TRUE(read_text("a.stl", binary_square("x", 2)).warnings.empty());
@@ -140,6 +165,17 @@ TEST(Ply_dialects, names_types_and_line_ends)
   EXPECT_THROW(read_text("a.ply", header + ply_rows.substr(0, ply_rows.size() - 3)), IO_error);
 }
 
+TEST(Ply_dialects, names_in_any_case_and_number)
+{
+  const std::string text = ply_header("uchar int vertex_indices") + ply_rows;
+  expect_square(read_text("a.ply", replaced(text, "ply\n", "PLY\n")));
+  expect_square(read_text("a.ply", replaced(text, "float ", "float32 ")));
+  expect_square(read_text("a.ply", replaced(replaced(text, "face", "Faces"), "vertex 4", "vertices 4")));
+  expect_square(read_text("a.ply", replaced(replaced(text, "float x", "float X"), "vertex_", "Vertex_")));
+  expect_square(read_text("a.ply", ply_header("float float vertex_indices") + ply_rows));
+  EXPECT_THROW(read_text("a.ply", ply_header("uchar float weights") + ply_rows), IO_error);
+}
+
 TEST(Ply_dialects, binary_indices_of_64_bits)
 {
   std::string bytes = replaced(ply_header("uchar int64 vertex_indices"), "ascii", "binary_little_endian");
@@ -152,6 +188,23 @@ TEST(Ply_dialects, binary_indices_of_64_bits)
       append(bytes, std::int64_t(v));
   }
   expect_square(read_text("a.ply", bytes));
+}
+
+TEST(Ply_dialects, binary_behind_carriage_returns)
+{
+  std::string bytes =
+      replaced(replaced(ply_header("uchar int vertex_indices"), "ascii", "binary_big_endian"), "\n", "\r");
+  for (const Point_3& p : square_points)
+    for (int k = 0; k < 3; ++k)
+      append(bytes, static_cast<float>(10 + p[k]), std::endian::big);
+  for (const auto& face : {std::array<int, 3>{0, 1, 2}, {0, 2, 10}}) { // 10 is a line feed
+    bytes += '\3';
+    for (const int v : face)
+      append(bytes, v, std::endian::big);
+  }
+  const Polygon_soup soup = read_text("a.ply", bytes);
+  EXPECT_EQ(soup.points[1], Point_3(11, 10, 10));
+  EXPECT_EQ(faces_of(soup), (Faces{{0, 1, 2}, {0, 2, 10}}));
 }
 
 TEST(Ply_dialects, headers_with_lines_of_no_keyword)
@@ -172,6 +225,10 @@ TEST(Ply_dialects, strips_of_triangles)
   const Polygon_soup soup =
       read_text("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n13 1 2 0 3 -1 0 1 2 -1 1 1 2 0\n");
   EXPECT_EQ(faces_of(soup), (Faces{{1, 2, 0}, {0, 2, 3}, {0, 1, 2}, {2, 1, 0}}));
+  const Polygon_soup of_unsigned =
+      read_text("a.ply", replaced(header, "int int", "int uint") +
+                             "0 0 0\n1 0 0\n1 1 0\n0 1 0\n7 0 1 2 4294967295 0 2 3\n");
+  EXPECT_EQ(faces_of(of_unsigned), square_faces);
 }
 
 TEST(Ply_dialects, colours_of_faces_and_of_floats)
@@ -227,8 +284,71 @@ TEST(Off_dialects, counts_behind_the_word_and_colours_of_faces)
   EXPECT_TRUE(colors("7", "8").empty()); // places in a table
 }
 
+TEST(Off_dialects, words_and_rows)
+{
+  const std::string rows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  for (const char* start : {"off\n4 2 0\n", "4 2 0\n", "OFF\n4 2\n", "OFF4 2\n0\n", "OFF\n4\n2\n0\n"})
+    expect_square(read_text("a.off", start + rows));
+  expect_square(read_text("a.off", "OFF 4 2 0 " + replaced(rows, "\n", " ")));
+  expect_square(read_text("a.off", "OFF\n4\n2 0\n" + replaced(rows, " ", "\n")));
+  EXPECT_THROW(read_text("a.off", "OFF 4 2 0 " + replaced(rows, "\n", " ") + "7"), IO_error);
+  EXPECT_THROW(read_text("a.off", "nOFF\n3\n4 2 0\n" + rows), IO_error);
+}
+
+TEST(Off_dialects, colours_of_vertices_that_the_header_does_not_tell)
+{
+  const auto colors = [](const std::string& a, const std::string& b) {
+    return read_text("a.off", "OFF\n3 1 0\n0 0 0 " + a + "\n1 0 0 " + b + "\n0 1 0 0 0 0\n3 0 1 2\n").colors;
+  };
+  EXPECT_EQ(colors("255 0 51", "0 255 0 255"),
+            (std::vector<Color4>{{1, 0, .2f, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}}));
+  EXPECT_TRUE(colors("0 0 1", "0 0 -1").empty()) << "normals";
+  EXPECT_TRUE(colors("0 0 1", "").empty());
+  EXPECT_TRUE(colors("0 0 1", "1 2 3 4 5").empty());
+}
+
+TEST(Obj_dialects, words_and_numbers)
+{
+  expect_square(read_text("a.obj", upper_case(obj_square)));
+  expect_square(read_text("a.obj", replaced(obj_square, "f 1 2 3", "f +1 2.0 3.000/")));
+  expect_square(read_text("a.obj", "# of C:\\models\\\n" + replaced(obj_square, "f 1 2", "# \\\nf 1 \\\n2")));
+  expect_square(read_text("a.obj", "# x\n" + replaced(obj_square, "\n", "\r")));
+  expect_square(read_text("a.obj", replaced(obj_square, "\n", "\r\r\n")));
+  const Polygon_soup no_numbers =
+      read_text("a.obj", "v 1.#QNAN -1.#IND 0\nv 1.#INF -1.#INF00 1#x\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_TRUE(std::isnan(no_numbers.points[0].x()) && std::isnan(no_numbers.points[0].y()));
+  EXPECT_EQ(no_numbers.points[1], Point_3(INFINITY, -INFINITY, 1));
+}
+
+TEST(Obj_dialects, what_the_surface_does_not_need_is_no_reason_to_refuse)
+{
+  const Polygon_soup soup = read_text(
+      "a.obj", replaced(obj_square, "f 1 2 3", "vt\nvt .5 .25\nvn 1 a 0\nvn 0 0 1\nf 1/1/1 2/2/2 3/2/2"));
+  expect_square(soup);
+  EXPECT_TRUE(std::isnan(soup.uv[0].x()));
+  EXPECT_EQ(soup.uv[1], Point_2(.5, .25));
+  EXPECT_EQ(soup.corner_normal, (std::vector<Index>{no_index, 1, 1, no_index, no_index, no_index}));
+  EXPECT_EQ(soup.warnings,
+            std::vector<std::string>{
+                "line 5: u is missing; texture coordinates and normals that cannot be read are passed over"});
+}
+
 TEST(Obj_dialects, encodings_and_zero_bytes)
 {
+  for (const bool is_big : {false, true})
+    for (const bool has_mark : {false, true}) {
+      std::string wide = !has_mark ? ""
+                         : is_big  ? std::string("\0\0\xFE\xFF", 4)
+                                   : std::string("\xFF\xFE\0\0", 4);
+      for (const char c : obj_square)
+        append(wide, std::uint32_t(static_cast<unsigned char>(c)),
+               is_big ? std::endian::big : std::endian::little);
+      expect_square(read_text("a.obj", wide));
+    }
+  const std::string zeros(4, '\0'); // in a file so short that they are more than one byte of a hundred
+  expect_square(read_text("a.obj", zeros + obj_square));
+  expect_square(read_text("a.obj", replaced(obj_square, "f 1 2 3", zeros + "f 1 2 3")));
+  expect_square(read_text("a.obj", replaced(obj_square, "\n", std::string(1, '\0') + "\r\n")));
   for (const bool is_big : {false, true})
     for (const bool has_mark : {false, true})
       expect_square(read_text("a.obj", utf16(obj_square, is_big, has_mark)));

@@ -209,7 +209,77 @@ TEST(Read_textures, what_mtl_files_say)
   EXPECT_EQ(source.textures[1].wrap_v, Texture_wrap::clamp);
 
   EXPECT_EQ(source.textures[1].transform, (std::array<double, 6>{2, 0, 0, 0, 2, 0}));
-  EXPECT_TRUE(source.warnings.empty());
+  EXPECT_EQ(source.warnings, std::vector<std::string>{"no material library has the material 'nobody'"});
+}
+
+TEST(Read_textures, mtl_files_as_programs_write_them)
+{
+  const test::Temporary_folder folder;
+  write_png(folder / "my tex.png", noise(4));
+  const auto read = [&](const std::string& name, const std::string& mtl,
+                        const std::string& library = "a.mtl") {
+    folder.write("a.mtl", mtl);
+    const auto mesh = folder.write("a.obj", "mtllib " + library + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " +
+                                                name + "\nf 1 2 3\n");
+    return read_textures(mesh, read_polygon_soup(mesh));
+  };
+  for (const char* name : {"red", "RED", "\"red\"", "red # of the roof"})
+    for (const char* mtl : {"newmtl red\nmap_Kd my tex.png\n", "NEWMTL \"red\"\nMAP_KD my tex.png # lost\n",
+                            "newmtl Red # mine\nmap_kd ./my%20tex.png\n"}) {
+      const Source_textures source = read(name, std::string(mtl) + "newmtl other\n", "a.mtl # all");
+      ASSERT_EQ(source.face_texture, std::vector<Index>{0}) << name << ", " << mtl;
+      EXPECT_EQ(source.textures[0].image.pixels, noise(4).pixels) << name << ", " << mtl;
+      EXPECT_TRUE(source.warnings.empty()) << name << ", " << mtl;
+    }
+  for (const char* bad : {"Kd spectral a.rfl 1", "Kd xyz 1 1 1", "Kd 0,8 0,8 0,8", "Kd", "d", "Tr x"}) {
+    const Source_textures source =
+        read("m", std::string("newmtl m\nKd 1 0 0\n") + bad + "\nmap_Kd my tex.png\n");
+    ASSERT_EQ(source.textures.size(), 1u) << bad;
+    EXPECT_EQ(source.textures[0].image.pixels, noise(4).pixels) << bad;
+    ASSERT_EQ(source.warnings.size(), 1u) << bad;
+    EXPECT_EQ(source.warnings[0].find("a.mtl:3: "), 0u) << source.warnings[0];
+  }
+  for (const char* both : {"d 0.5\nTr 1", "Tr 1\nd 0.5", "Tr 0.5"}) // programs do not agree on Tr
+    EXPECT_EQ(read("m", std::string("newmtl m\n") + both + "\n").textures[0].opacity, .5) << both;
+}
+
+TEST(Read_textures, a_library_that_is_not_there_or_no_text)
+{
+  const test::Temporary_folder folder;
+  const auto mesh = folder.write("b.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+  folder.write("b.mtl", "newmtl m\nKd 1 0 0\n");
+  const Source_textures renamed = read_textures(mesh, read_polygon_soup(mesh));
+  EXPECT_EQ(renamed.face_texture, std::vector<Index>{0});
+  EXPECT_EQ(renamed.warnings, (std::vector<std::string>{"there is no material library 'gone.mtl'",
+                                                        "the material library 'b.mtl' takes its place"}));
+  for (const std::string& bytes : {std::string(), std::string(60, '\2')}) {
+    folder.write("gone.mtl", bytes);
+    const Source_textures source = read_textures(mesh, read_polygon_soup(mesh));
+    EXPECT_EQ(source.face_texture, std::vector<Index>{no_index});
+    ASSERT_EQ(source.warnings.size(), 1u);
+    EXPECT_NE(source.warnings[0].find("gone.mtl"), std::string::npos) << source.warnings[0];
+  }
+}
+
+TEST(Read_textures, transparency_of_another_size_or_alone)
+{
+  const test::Temporary_folder folder;
+  write_png(folder / "plain.png", Image(2, 2, {200, 100, 50}));
+  Image mask(4, 4, {0, 0, 0});
+  mask.at(3, 0) = {255, 255, 255};
+  write_png(folder / "mask.png", mask);
+  const auto mesh = folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+  std::vector<std::uint8_t> alpha(16, 0);
+  alpha[3] = 255;
+  folder.write("a.mtl", "newmtl m\nmap_Kd plain.png\nmap_d mask.png\n");
+  const Image both = read_textures(mesh, read_polygon_soup(mesh)).textures[0].image;
+  EXPECT_EQ(both.alpha, alpha);
+  EXPECT_EQ(both.pixels, Image(4, 4, {200, 100, 50}).pixels);
+  folder.write("a.mtl", "newmtl m\nKd 1 0 0.5\nmap_d mask.png\n");
+  const Source_texture alone = read_textures(mesh, read_polygon_soup(mesh)).textures[0];
+  EXPECT_EQ(alone.image.alpha, alpha);
+  EXPECT_EQ(alone.image.pixels, Image(4, 4).pixels);
+  EXPECT_EQ(alone.factor, (std::array<double, 3>{1, 0, .5}));
 }
 
 TEST(Read_textures, what_cannot_be_read_is_told_and_its_plain_colour_counts)

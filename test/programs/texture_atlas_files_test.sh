@@ -113,6 +113,10 @@ case $(colors a_texture.png) in *'(0, 0, 255)'*'(255, 0, 0)'*) ;; *) fail "one c
 sed 's#f 5/5 6/6 7/7 8/8#f 5/1 6/2 7/3 8/4#' copies.obj >alike.obj
 make 0 0 alike.obj -o a.obj --bake texture --stack copies
 grep -q ', 1 of them on copies' stdout || fail "charts that look alike are apart: $(cat stdout)"
+printf 'newmtl m\nKd 1 0 0\nnewmtl glass\nKd 1 0 0\nd 0.5\n' >copies.mtl
+sed 's/^f 5/usemtl glass\n&/' alike.obj >glass.obj
+make 0 1 glass.obj -o a.obj --bake texture --stack copies
+grep -q 'none are stacked' stderr || fail "glass on what is opaque: $(cat stderr)"
 make 0 0 copies.obj -o a.obj --stack copies
 grep -q ', 1 of them on copies' stdout || fail "copies are apart although nothing is baked: $(cat stdout)"
 

@@ -78,6 +78,16 @@ Atlas::Bake_shader Baker::shader(Bake what) const
   return at_place(shader_of(what, shown, size_, input_.source));
 }
 
+Atlas::Bake_shader Baker::opacity() const
+{
+  const Atlas::Polygon_soup& shown = place_ ? input_.detail : input_.models.whole();
+  const auto shader = Atlas::internal::texel_shader(shown, size_, input_.source, {128, 128, 128});
+  return [place = place_, shader](const Atlas::Bake_sample& sample) {
+    const std::uint8_t alpha = shader(place ? place(sample) : sample).alpha;
+    return Atlas::Color{alpha, alpha, alpha};
+  };
+}
+
 Textures Baker::operator()(Bake what, const Atlas::Execution& execution) const
 {
   Textures result{{}, suffix_of(what), {}};

@@ -52,6 +52,9 @@ public:
   /// What a texel shows of that, without alpha.
   Atlas::Bake_shader shader(Bake what) const;
 
+  /// How much a texel of the texture hides, as a grey.
+  Atlas::Bake_shader opacity() const;
+
 private:
   Atlas::Image image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const;
   Atlas::Polygon_soup welded_model() const;

@@ -62,8 +62,8 @@ void print_rejected(const Options& options, const Atlas::Joined_soups& models,
                  message(report.rejected[i].reason));
   }
   if (report.rejected.size() > shown)
-    std::fprintf(stderr, "texture_atlas: and %zu more faces; the report lists them\n",
-                 report.rejected.size() - shown);
+    std::fprintf(stderr, "texture_atlas: and %zu more faces%s\n", report.rejected.size() - shown,
+                 report.status == Atlas::Atlas_status::no_surface ? "" : "; the report lists them");
 }
 
 namespace {

@@ -263,16 +263,14 @@ bool is_stacked_wrongly(const Options& options, const Input& input, const Atlas:
   const Atlas::Polygon_soup& model = input.models.whole();
   const Atlas::Image_size size(report.page_width, report.page_height);
   const Baker baker(options, input, size);
-  const auto differs = [&](Bake what) {
-    if (!options.has(what))
-      return false;
-    const Atlas::Bake_shader shader = baker.shader(what);
+  const auto differs = [&](const Atlas::Bake_shader& shader) {
     for (Atlas::Index page = 0; page < model.number_of_pages(); ++page)
       if (Atlas::differing_share(model, size, shader, page) > tolerance)
         return true;
     return false;
   };
-  return differs(Bake::texture) || differs(Bake::colors);
+  return (options.has(Bake::colors) && differs(baker.shader(Bake::colors))) ||
+         (options.has(Bake::texture) && (differs(baker.shader(Bake::texture)) || differs(baker.opacity())));
 }
 
 void check_outputs(const Options& options)

@@ -194,6 +194,8 @@ int run(Options& options)
   if (report.status == Atlas::Atlas_status::cancelled)
     return patience.say();
   if (!has_coordinates(report)) {
+    if (!options.is_quiet)
+      print_rejected(options, input.models, report);
     print_error(options.name() + ": " + message(report.status));
     return not_valid;
   }

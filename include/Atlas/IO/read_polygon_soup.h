@@ -31,7 +31,7 @@ namespace Atlas {
 /// - .gltf, .glb: version 2.0: all triangles of the default scene, transformed by their nodes; compressed by
 ///   Draco or meshopt where Atlas has been built with libdraco and libmeshoptimizer
 ///
-/// Text may be UTF-8 or UTF-16. What is passed over is in `Polygon_soup::warnings`.
+/// Text may be UTF-8, UTF-16 or UTF-32. What is passed over is in `Polygon_soup::warnings`.
 ///
 /// \throw IO_error with one line that names the file, the line or byte and what is wrong: a statement cannot
 /// be understood, there is no face, the format is unknown or, in glTF, compressed in a way that this build
@@ -76,10 +76,11 @@ struct Source_textures
 /// \param soup  what has been read from it; its `old_uv`, or `uv` if there are none, tell the tiles of UDIM
 ///
 /// Files are looked for beside the mesh, in any case and with slashes of either kind; of paths of another
-/// machine the last parts count. Faces whose material is not described get `no_index`; an OBJ file that names
-/// no material for a face means that of its library, if it has one only. A picture that cannot be read is a
-/// warning, and the plain colour counts. Other formats have no textures at all. \throw IO_error the mesh
-/// itself cannot be read
+/// machine the last parts count. A library that is named like the mesh takes the place of those that are not
+/// there. Names of materials may differ in case. Faces whose material is not described get `no_index`; an OBJ
+/// file that names no material for a face means that of its library, if it has one only. A picture that
+/// cannot be read is a warning, and the plain colour counts. Other formats have no textures at all.
+/// \throw IO_error the mesh itself cannot be read
 Source_textures read_textures(const std::filesystem::path& mesh, const Polygon_soup& soup);
 
 } // namespace Atlas

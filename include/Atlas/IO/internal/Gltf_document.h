@@ -27,7 +27,7 @@ public:
   using Json = nlohmann::ordered_json;
 
   /// \param model  the same file, with the bytes of its buffers and, as they are, of its pictures
-  Gltf_document(const std::filesystem::path& path, const tinygltf::Model& model)
+  Gltf_document(const std::filesystem::path& path, const tinygltf::Model& model) : name_(path.string())
   {
     const std::string bytes = read_gltf_file(path);
     json = Json::parse(gltf_json(bytes), nullptr, false);
@@ -38,10 +38,16 @@ public:
           view.buffer >= 0 && static_cast<std::size_t>(view.buffer) < model.buffers.size()
               ? &model.buffers[static_cast<std::size_t>(view.buffer)].data
               : nullptr;
-      if (!data || view.byteOffset > data->size() || view.byteLength > data->size() - view.byteOffset)
-        throw IO_error(path.string() + ": a buffer view is longer than its buffer");
-      const auto begin = data->begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
-      views_.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(view.byteLength));
+      const std::size_t there = data ? data->size() : 0, offset = std::min(view.byteOffset, there);
+      is_cut_.push_back(view.byteLength > there - offset);
+      if (is_cut_.back()) { // which matters only if anything shows it
+        views_.emplace_back();
+        continue;
+      }
+      views_.emplace_back();
+      if (data)
+        views_.back().assign(data->begin() + static_cast<std::ptrdiff_t>(offset),
+                             data->begin() + static_cast<std::ptrdiff_t>(offset + view.byteLength));
     }
     for (const char* key : lists) // so that places in the JSON stay where they are
       if (!json.contains(key))
@@ -83,6 +89,8 @@ public:
         view = {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 1}};
         continue;
       }
+      if (i < is_cut_.size() && is_cut_[i])
+        throw IO_error(name_ + ": a buffer view is longer than its buffer");
       data.resize((data.size() + 7) / 8 * 8, '\0');
       view["byteOffset"] = data.size();
       data += views_[i];
@@ -192,7 +200,9 @@ private:
     }
   }
 
+  std::string name_;
   std::vector<std::string> views_;
+  std::vector<bool> is_cut_; ///< of the file's views, whether they are longer than their buffers
 };
 
 } // namespace Atlas::internal

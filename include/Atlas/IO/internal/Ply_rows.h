@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_PLY_ROWS_H
 #define ATLAS_IO_INTERNAL_PLY_ROWS_H
 
+#include <Atlas/IO/internal/extension.h>
 #include <Atlas/image/internal/Binary_scanner.h>
 #include <Atlas/image/internal/Text_scanner.h>
 
@@ -39,7 +40,7 @@ struct Ply_element
   {
     for (std::size_t i = 0; i < properties.size(); ++i)
       for (const std::string_view name_wanted : names)
-        if (properties[i].name == name_wanted)
+        if (lower_case(properties[i].name) == name_wanted)
           return static_cast<int>(i);
     return -1;
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -61,17 +62,36 @@ inline std::string plain_name(std::string name)
   return name;
 }
 
+/// The name that a URI stands for, in which %20 is a blank.
+inline std::string percent_decoded(std::string_view uri)
+{
+  const auto is_digit = [&](std::size_t i) { return std::isxdigit(static_cast<unsigned char>(uri[i])) != 0; };
+  std::string result;
+  for (std::size_t i = 0; i < uri.size(); ++i)
+    if (uri[i] == '%' && i + 2 < uri.size() && is_digit(i + 1) && is_digit(i + 2)) {
+      result += static_cast<char>(std::strtol(std::string(uri.substr(i + 1, 2)).c_str(), nullptr, 16));
+      i += 2;
+    } else {
+      result += uri[i];
+    }
+  return result;
+}
+
 /// \brief The file that another one means by a name: relative to the folder, in any case; of a path that is
-/// not there, as those of other machines, the longest end that is.
+/// not there, as those of other machines, the longest end that is. The name may be a URI, and a comment may
+/// follow it.
 inline std::optional<std::filesystem::path> find_file(const std::filesystem::path& folder,
                                                       const std::string& name)
 {
-  std::string rest = plain_name(name);
-  while (!rest.empty()) {
-    if (auto found = file_in_any_case(folder, rest))
-      return found;
-    const std::size_t slash = rest.find('/');
-    rest = slash == std::string::npos ? "" : rest.substr(slash + 1);
+  const std::string uncommented = name.substr(0, name.find_last_not_of(" \t", name.find(" #")) + 1);
+  for (const std::string& meant : {name, uncommented, percent_decoded(name)}) {
+    std::string rest = plain_name(meant);
+    while (!rest.empty()) {
+      if (auto found = file_in_any_case(folder, rest))
+        return found;
+      const std::size_t slash = rest.find('/');
+      rest = slash == std::string::npos ? "" : rest.substr(slash + 1);
+    }
   }
   return std::nullopt;
 }

@@ -14,15 +14,27 @@ inline bool is_glb(std::string_view bytes)
   return bytes.starts_with("glTF");
 }
 
+/// Four bytes as a number.
+inline std::size_t glb_number(std::string_view bytes, std::size_t at)
+{
+  std::uint32_t number = 0;
+  for (std::size_t i = 4; at + 4 <= bytes.size() && i-- > 0;)
+    number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return number;
+}
+
+/// How long a binary glTF file says that it is.
+inline std::size_t glb_size(std::string_view bytes)
+{
+  return glb_number(bytes, 8);
+}
+
 /// The contents of the chunk of a binary glTF file that starts at a place, as far as the file goes.
 inline std::string_view glb_chunk(std::string_view bytes, std::size_t at)
 {
   if (bytes.size() < 8 || at > bytes.size() - 8)
     return {};
-  std::uint32_t length = 0;
-  for (std::size_t i = 4; i-- > 0;)
-    length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return bytes.substr(at + 8, length);
+  return bytes.substr(at + 8, glb_number(bytes, at));
 }
 
 /// The JSON of a glTF file, which is the file, or the first chunk of a binary one.

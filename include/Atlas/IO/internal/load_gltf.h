@@ -2,9 +2,12 @@
 #ifndef ATLAS_IO_INTERNAL_LOAD_GLTF_H
 #define ATLAS_IO_INTERNAL_LOAD_GLTF_H
 
+#include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/glb.h>
 #include <Atlas/IO/internal/read_gltf_file.h>
 #include <Atlas/core/errors.h>
+#include <Atlas/image/internal/Reading_listener.h>
+#include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/image/internal/text_bytes.h>
 
 #include <algorithm>
@@ -12,7 +15,9 @@
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <tiny_gltf.h>
 
 namespace Atlas::internal {
@@ -26,10 +31,55 @@ inline std::string one_line(std::string text)
   return printable(text);
 }
 
+/// The text of a glTF file in which files are called by the names that they have: see `find_file()`. A binary
+/// file stays as it is. Functions of tinygltf that read files are not exchanged instead, since a program that
+/// links libdraco, too, may get other ones by their names.
+inline std::string with_found_names(std::string bytes, const std::filesystem::path& folder)
+{
+  using Json = nlohmann::ordered_json;
+  Json json = is_glb(bytes) ? Json() : Json::parse(bytes, nullptr, false);
+  bool is_changed = false;
+  for (const char* key : {"buffers", "images"})
+    if (json.is_object() && json.contains(key) && json[key].is_array())
+      for (Json& item : json[key]) {
+        const auto* const uri =
+            item.is_object() && item.contains("uri") ? item["uri"].get_ptr<const std::string*>() : nullptr;
+        if (!uri || uri->starts_with("data:"))
+          continue;
+        const auto found = find_file(folder, *uri);
+        if (!found)
+          continue;
+        if (reading_listener())
+          (void)read_whole_file(*found); // tinygltf does not tell of what it reads
+        std::string name;
+        for (const char c : found->lexically_relative(folder).generic_string())
+          name += c == '%' ? "%25" : std::string(1, c);
+        is_changed = is_changed || name != *uri;
+        item["uri"] = name;
+      }
+  return is_changed ? json.dump(-1, ' ', false, Json::error_handler_t::replace) : bytes;
+}
+
+/// Whether a file that cannot be read, or has nothing in it, is one of glTF 1.0.
+inline bool is_gltf_1(std::string_view bytes)
+{
+  if (is_glb(bytes))
+    return bytes.size() > 4 && bytes[4] == 1;
+  const auto json = nlohmann::json::parse(bytes, nullptr, false);
+  if (!json.is_object())
+    return false;
+  const auto asset = json.find("asset"), meshes = json.find("meshes");
+  const auto* const version = asset != json.end() && asset->is_object() && asset->contains("version")
+                                  ? (*asset)["version"].get_ptr<const std::string*>()
+                                  : nullptr;
+  return (version && version->starts_with("1.")) || (meshes != json.end() && meshes->is_object());
+}
+
 /// Parses a glTF file, text or binary, with the loader's way to load pictures. \throw IO_error
 inline tinygltf::Model load_gltf(const std::filesystem::path& path, tinygltf::TinyGLTF& loader)
 {
-  const std::string bytes = read_gltf_file(path), folder = path.parent_path().string();
+  const std::string folder = path.parent_path().string(),
+                    bytes = with_found_names(read_gltf_file(path), folder);
   const auto size = static_cast<unsigned>(bytes.size());
   tinygltf::Model model;
   std::string error, warning;
@@ -43,6 +93,8 @@ inline tinygltf::Model load_gltf(const std::filesystem::path& path, tinygltf::Ti
   } catch (const std::exception& exception) { // of the JSON parser below tinygltf
     error = exception.what();
   }
+  if ((!is_loaded || model.meshes.empty()) && is_gltf_1(bytes))
+    throw IO_error(path.string() + ": glTF 1.0, of which nothing is read; write it as glTF 2.0");
   if (!is_loaded)
     throw IO_error(path.string() + ": " + (error.empty() ? "not a glTF file" : one_line(error)));
   return model;

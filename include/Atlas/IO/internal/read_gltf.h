@@ -158,8 +158,7 @@ private:
     const auto material = static_cast<std::size_t>(primitive.material);
     const bool has_material = primitive.material >= 0 && material < model_.materials.size();
     const std::string name =
-        has_material ? texcoord_of(model_.materials[material].pbrMetallicRoughness.baseColorTexture)
-                     : "TEXCOORD_0";
+        has_material ? texcoord_of(base_color_of(model_.materials[material]).texture) : "TEXCOORD_0";
     return primitive.attributes.count(name) ? name : "TEXCOORD_0";
   }
 

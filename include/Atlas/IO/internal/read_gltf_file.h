@@ -2,7 +2,9 @@
 #ifndef ATLAS_IO_INTERNAL_READ_GLTF_FILE_H
 #define ATLAS_IO_INTERNAL_READ_GLTF_FILE_H
 
+#include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/glb.h>
+#include <Atlas/IO/internal/gltf_bounds.h>
 #include <Atlas/IO/internal/gltf_codecs.h>
 #include <Atlas/core/errors.h>
 #include <Atlas/image/internal/Text_scanner.h>
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -99,19 +100,6 @@ private:
       item.erase("extensions");
   }
 
-  static std::string decoded_uri(std::string_view uri)
-  {
-    std::string result;
-    for (std::size_t i = 0; i < uri.size(); ++i)
-      if (uri[i] == '%' && i + 2 < uri.size()) {
-        result += static_cast<char>(std::strtol(std::string(uri.substr(i + 1, 2)).c_str(), nullptr, 16));
-        i += 2;
-      } else {
-        result += uri[i];
-      }
-    return result;
-  }
-
   void read_buffers()
   {
     for (const Json& buffer : json_.at("buffers")) {
@@ -127,7 +115,8 @@ private:
           fail("a buffer is not in base 64");
         bytes.assign(data.begin(), data.end());
       } else {
-        bytes = read_whole_file(path_.parent_path() / decoded_uri(uri));
+        const std::filesystem::path folder = path_.parent_path();
+        bytes = read_whole_file(find_file(folder, uri).value_or(folder / uri));
       }
     }
   }
@@ -218,7 +207,7 @@ private:
     if (!mesh)
       fail("its numbers are compressed (KHR_draco_mesh_compression) in a way that cannot be read");
     for (std::size_t i = 0; i < wanted.size(); ++i)
-      fill(json_["accessors"][accessors[i]], mesh->attributes[i], mesh->points);
+      fill(json_["accessors"][accessors[i]], mesh->attributes[i], mesh->points, wanted[i].width);
     const Json indices = {{"bufferView", add_view(mesh->indices)},
                           {"componentType", TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
                           {"count", mesh->indices.size() / 4},
@@ -234,8 +223,9 @@ private:
   }
 
   /// Gives an accessor its rows; in memory they start at multiples of four bytes.
-  void fill(Json& accessor, const std::string& rows, std::size_t count)
+  void fill(Json& accessor, const std::string& rows, std::size_t count, std::size_t components)
   {
+    renew_bounds(accessor, rows, components);
     const std::size_t width = count == 0 ? 0 : rows.size() / count, stride = (width + 3) / 4 * 4;
     std::string padded;
     for (std::size_t i = 0; i < count; ++i) {
@@ -260,6 +250,11 @@ private:
 inline std::string read_gltf_file(const std::filesystem::path& path)
 {
   std::string bytes = read_whole_file(path);
+  if (!is_glb(bytes))
+    bytes = utf8_of_any(std::move(bytes));
+  else if (const std::size_t told = glb_size(bytes); told > bytes.size())
+    throw IO_error(path.string() + ": the file ends after " + std::to_string(bytes.size()) + " of its " +
+                   std::to_string(told) + " bytes");
   if (gltf_json(bytes).find("_compression\"") == std::string_view::npos)
     return bytes;
   return Gltf_decompressor(bytes, path).bytes();

@@ -2,13 +2,16 @@
 #ifndef ATLAS_IO_INTERNAL_READ_OBJ_H
 #define ATLAS_IO_INTERNAL_READ_OBJ_H
 
+#include <Atlas/IO/internal/extension.h>
 #include <Atlas/IO/internal/scale_colors.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -51,7 +54,7 @@ public:
   {
     while (scanner_.next_line())
       if (!scanner_.at_end())
-        read_statement(scanner_.token());
+        read_statement(keyword());
       else if (scanner_.line_text().starts_with("#MRGB"))
         read_painted_colors(scanner_.line_text().substr(5));
     if (soup_.number_of_faces() == 0)
@@ -62,6 +65,16 @@ public:
   }
 
 private:
+  /// Small letters in the place of capitals, of which some programs make their keywords.
+  std::string_view keyword()
+  {
+    const std::string_view word = scanner_.token();
+    if (std::none_of(word.begin(), word.end(), [](unsigned char c) { return std::isupper(c); }))
+      return word;
+    keyword_ = lower_case(word);
+    return keyword_;
+  }
+
   void read_statement(std::string_view keyword)
   {
     if (keyword == "v")
@@ -69,7 +82,7 @@ private:
     else if (keyword == "vt")
       read_texture_vertex();
     else if (keyword == "vn")
-      soup_.normals.push_back(read_vector());
+      read_normal();
     else if (keyword == "f" || keyword == "fo")
       read_face();
     else if (keyword == "usemtl")
@@ -124,10 +137,37 @@ private:
     }
   }
 
+  /// One that cannot be read keeps its number, and corners that name it have no coordinates.
   void read_texture_vertex()
   {
-    const double u = scanner_.number("u");
-    texture_vertices_.emplace_back(u, scanner_.at_end() ? 0 : scanner_.number("v"));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    texture_vertices_.emplace_back(nan, nan);
+    read_or_tell([&] {
+      const double u = scanner_.number("u");
+      texture_vertices_.back() = Point_2(u, scanner_.at_end() ? 0 : scanner_.number("v"));
+    });
+  }
+
+  /// As `read_texture_vertex()`.
+  void read_normal()
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    soup_.normals.emplace_back(nan, nan, nan);
+    read_or_tell([&] { soup_.normals.back() = read_vector(); });
+  }
+
+  /// Of what the surface does not need, the first statement that cannot be read is told of.
+  template <typename Read>
+  void read_or_tell(Read read)
+  {
+    try {
+      read();
+    } catch (const IO_error& error) {
+      if (!has_told_)
+        soup_.warnings.push_back("line " + std::string(error.what()).substr(file_name_.size() + 1) +
+                                 "; texture coordinates and normals that cannot be read are passed over");
+      has_told_ = true;
+    }
   }
 
   /// Indices count from 1, negative ones back from the last; what cannot be expressed becomes `no_index`.
@@ -140,8 +180,10 @@ private:
   long long read_index(const char* what)
   {
     long long i = 0;
+    scanner_.accept('+');
     if (!scanner_.integer_here(i))
       scanner_.fail(std::string(what) + " is not an integer: " + quoted(scanner_.token()));
+    scanner_.skip_zero_fraction(); // of programs that know one kind of number
     return i;
   }
 
@@ -195,7 +237,7 @@ private:
     if (!soup_.corner_normal.empty()) {
       soup_.corner_normal.resize(soup_.vertices.size(), no_index);
       for (Index& n : soup_.corner_normal)
-        if (n >= soup_.normals.size())
+        if (n >= soup_.normals.size() || !std::isfinite(soup_.normals[n].x()))
           n = no_index;
     }
     if (soup_.material_names.empty())
@@ -212,6 +254,8 @@ private:
   std::vector<Index> corner_texture_;
   std::vector<std::array<float, 4>> painted_;
   Index material_ = no_index, group_ = no_index;
+  std::string keyword_;
+  bool has_told_ = false;
 };
 
 /// Reads a Wavefront OBJ file.

@@ -40,15 +40,16 @@ public:
     has_header_ = true;
     Ply_rows rows(bytes_, file_name_, text_, order_, ends_);
     for (const Ply_element& element : elements_) {
+      const std::string name = lower_case(element.name);
       if (element.properties.empty())
         continue;
-      if (element.name == "vertex")
+      if (name == "vertex" || name == "vertices")
         read_vertices(element, rows);
-      else if (element.name == "face")
+      else if (name == "face" || name == "faces")
         read_faces(element, rows);
-      else if (element.name == "tristrips")
+      else if (name == "tristrips")
         read_strips(element, rows);
-      else if (element.name == "halfedge")
+      else if (name == "halfedge")
         read_halfedges(element, rows);
       else
         for (std::size_t i = 0; i < element.count; ++i)
@@ -64,7 +65,7 @@ public:
 private:
   void read_header()
   {
-    if (!text_.next_line() || text_.token() != "ply")
+    if (!text_.next_line() || lower_case(text_.token()) != "ply")
       text_.fail("a PLY file begins with the word ply");
     bool has_format = false;
     while (true) {
@@ -203,16 +204,17 @@ private:
   /// The list of vertices: by its usual names, else the only list of integers.
   int indices_of(const Ply_element& element) const
   {
+    const auto property_at = [&](int i) { return element.properties[static_cast<std::size_t>(i)]; };
     const auto is_list = [&](int i) {
-      const Ply_property& property = element.properties[static_cast<std::size_t>(i)];
-      return property.count_type && property.type != Ply_type::float32 && property.type != Ply_type::float64;
+      const Ply_type t = property_at(i).type;
+      return property_at(i).count_type && t != Ply_type::float32 && t != Ply_type::float64;
     };
     int found =
         element.find({"vertex_indices", "vertex_index", "vertex_indexes", "vertex_indicies", "indices"});
     for (int i = 0, lists = 0; found < 0 && i < static_cast<int>(element.properties.size()); ++i)
       if (is_list(i))
         found = lists++ == 0 ? i : -1;
-    if (found < 0 || !is_list(found))
+    if (found < 0 || !property_at(found).count_type)
       throw IO_error(file_name_ + ": the rows of '" + element.name + "' have no list vertex_indices");
     return found;
   }
@@ -227,7 +229,7 @@ private:
       std::vector<Index> strip;
       for (const double v : row_[indices]) {
         strip.push_back(vertex(v, rows));
-        if (v == -1)
+        if (v == -1 || v == no_index) // as an unsigned number
           strip.clear();
         if (strip.size() >= 3)
           add_triangle_of_strip(strip);

@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_READ_STL_H
 #define ATLAS_IO_INTERNAL_READ_STL_H
 
+#include <Atlas/IO/internal/extension.h>
 #include <Atlas/image/internal/Binary_scanner.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
@@ -53,7 +54,7 @@ inline std::array<float, 4> stl_color(unsigned attribute, bool is_magics, const 
 }
 
 /// Binary STL. The number of triangles in it is often wrong (0, -1): where the file has a whole number of
-/// them, that counts.
+/// them, or the number is none of these, what is there counts. Zeros behind the last one are padding.
 class Binary_stl_reader
 {
 public:
@@ -65,13 +66,12 @@ public:
   {
     scanner_.skip(80, "the header");
     const std::uint64_t told = scanner_.get<std::uint32_t>("the number of triangles");
-    const std::uint64_t there = scanner_.bytes_left() / 50;
-    const bool is_whole = there > 0 && scanner_.bytes_left() % 50 == 0;
-    if (is_whole && there != told)
+    const std::uint64_t count = number_of_triangles(told);
+    if (count != told)
       soup_.warnings.push_back("the header tells of " + std::to_string(told) + " triangles, but there are " +
-                               std::to_string(there));
+                               std::to_string(count));
     read_common_color();
-    for (std::uint64_t t = is_whole ? there : told; t > 0; --t)
+    for (std::uint64_t t = count; t > 0; --t)
       read_triangle();
     if (!has_colors_)
       soup_.face_colors.clear();
@@ -79,6 +79,16 @@ public:
   }
 
 private:
+  std::uint64_t number_of_triangles(std::uint64_t told) const
+  {
+    const std::uint64_t there = scanner_.bytes_left() / 50;
+    const bool is_whole = there > 0 && scanner_.bytes_left() % 50 == 0;
+    const bool is_no_number = told == 0 || told == 0xFFFFFFFF;
+    const bool is_padded = !is_no_number && told < there &&
+                           bytes_.find_first_not_of('\0', 84 + 50 * told) == std::string_view::npos;
+    return is_padded ? told : is_whole || is_no_number ? there : told;
+  }
+
   /// Materialise Magics: COLOR= and four bytes in the header.
   void read_common_color()
   {
@@ -111,7 +121,7 @@ private:
 };
 
 /// Text STL: keywords in any case, with line ends and blanks anywhere between words, "end loop" for
-/// "endloop".
+/// "endloop" and the reverse. A line that begins with no keyword is passed over.
 class Text_stl_reader
 {
 public:
@@ -130,33 +140,46 @@ public:
   }
 
 private:
-  static std::string lower_case(std::string_view word)
-  {
-    std::string result(word);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-  }
-
   void read_statement(std::string word)
   {
     if (word == "end")
       word += lower_case(scanner_.token());
     if (word == "solid" || word == "endsolid") {
-      scanner_.remainder(); // a name
+      skip_name();
     } else if (word == "vertex") {
       read_vertex();
     } else if (word == "normal") { // not needed; some are no numbers
       for (int k = 0; k < 3 && !scanner_.at_end(); ++k)
         scanner_.token();
-    } else if (word == "loop") {
+    } else if (word == "loop" || word == "outerloop") {
       is_in_loop_ = true;
     } else if (word == "endloop") {
       is_in_loop_ = false;
       soup_.close_face();
     } else if (word != "outer" && word != "facet" && word != "endfacet") {
-      scanner_.fail("unknown statement " + internal::quoted(word));
+      skip_line(word);
     }
+  }
+
+  /// The name of a solid ends with the line, or where the facets begin that stand on the same one.
+  void skip_name()
+  {
+    const std::string line = lower_case(scanner_.line_text());
+    const bool has_facets = line.find("vertex", line.find("facet normal")) != std::string::npos;
+    if (!has_facets)
+      scanner_.remainder();
+    while (has_facets && !scanner_.at_end() && lower_case(scanner_.peek()) != "facet")
+      scanner_.token();
+  }
+
+  /// Comments, colours and whatever else is no part of the shape.
+  void skip_line(const std::string& word)
+  {
+    if (soup_.warnings.empty())
+      soup_.warnings.push_back("line " + std::to_string(scanner_.line()) +
+                               " is passed over, as it begins with " + internal::quoted(word) +
+                               ", and so are others that begin with no keyword");
+    scanner_.remainder();
   }
 
   void read_vertex()
@@ -173,26 +196,27 @@ private:
   bool is_in_loop_ = false;
 };
 
+/// Whether the size is what binary STL of so many triangles has.
+inline bool has_size_of_binary_stl(std::string_view bytes)
+{
+  std::uint64_t n = 0;
+  for (std::size_t i = 4; bytes.size() >= 84 && i-- > 0;)
+    n = n << 8 | static_cast<unsigned char>(bytes[80 + i]);
+  return bytes.size() >= 84 && bytes.size() == 84 + 50 * n;
+}
+
 /// Whether the bytes are binary STL: the size tells, since headers of binary files may begin with "solid"
-/// too;
-/// else the word at the beginning, if no zero byte is near it.
+/// too; else a zero byte near the beginning that is no padding of the end, or that there are no keywords.
 inline bool is_binary_stl(std::string_view bytes)
 {
-  if (bytes.size() >= 84) {
-    std::uint32_t n = 0;
-    for (std::size_t i = 4; i-- > 0;)
-      n = n << 8 | static_cast<unsigned char>(bytes[80 + i]);
-    if (bytes.size() == 84 + 50 * std::uint64_t(n))
-      return true;
-  }
-  const std::string_view head = bytes.substr(0, 1000);
-  const auto start = std::min(head.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), head.size());
-  const auto begins_with = [&](std::string_view word) {
-    const std::string_view found = head.substr(start, word.size());
-    return std::equal(word.begin(), word.end(), found.begin(), found.end(),
-                      [](char a, char b) { return a == (b | 32); });
-  };
-  return !(begins_with("solid") || begins_with("facet")) || head.find('\0') != std::string_view::npos;
+  if (has_size_of_binary_stl(bytes))
+    return true;
+  const std::string head =
+      lower_case(bytes.substr(0, std::min<std::size_t>(bytes.find_last_not_of('\0') + 1, 4000)));
+  const std::size_t start = std::min(head.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), head.size());
+  return head.find('\0') != std::string::npos ||
+         (head.find("vertex") == std::string::npos && head.compare(start, 5, "solid") != 0 &&
+          head.compare(start, 5, "facet") != 0);
 }
 
 /// Reads an STL file, text or binary. Corners at exactly the same position become one vertex; colours of the
@@ -204,7 +228,7 @@ inline Polygon_soup read_stl(const std::filesystem::path& path)
   std::string bytes = read_whole_file(path);
   const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
   Polygon_soup soup;
-  if (!has_mark && is_binary_stl(bytes)) {
+  if (has_mark ? has_size_of_binary_stl(bytes) : is_binary_stl(bytes)) {
     soup = Binary_stl_reader(bytes, name).read();
   } else {
     bytes = decoded_text(std::move(bytes), name);

@@ -3,6 +3,7 @@
 #define ATLAS_IO_INTERNAL_READ_TEXTURES_IMPL_H
 
 #include <Atlas/IO/internal/Mtl_reader.h>
+#include <Atlas/IO/internal/add_alpha.h>
 #include <Atlas/IO/internal/extension.h>
 #include <Atlas/IO/internal/find_file.h>
 #include <Atlas/IO/internal/gltf_texture.h>
@@ -56,40 +57,50 @@ inline Image read_picture(const std::filesystem::path& folder, const std::string
   }
 }
 
-/// The libraries that an OBJ file names: one a statement, with blanks in its name, or several.
-inline Mtl_reader read_libraries(const std::filesystem::path& folder,
-                                 const std::vector<std::string>& statements,
-                                 std::vector<std::string>& warnings)
+/// Reads a library; one that cannot be read is told of.
+inline void read_library(const std::filesystem::path& path, Mtl_reader& reader)
 {
+  try {
+    reader.read(path);
+  } catch (const IO_error& error) {
+    reader.warnings.emplace_back(error.what());
+  }
+}
+
+/// \brief The libraries that an OBJ file names: one a statement, with blanks in its name, or several.
+///
+/// If none of them is there, as after the files have been renamed together, the one that is called as the OBJ
+/// file takes their place.
+inline Mtl_reader read_libraries(const std::filesystem::path& mesh,
+                                 const std::vector<std::string>& statements)
+{
+  const std::filesystem::path folder = mesh.parent_path();
   Mtl_reader reader;
+  bool is_any_there = statements.empty();
   for (const std::string& statement : statements) {
     std::string_view rest = statement;
-    while (!rest.empty()) { // the longest name that there is
+    while (!rest.empty() && rest.front() != '#') { // the longest name that there is
       std::string_view name = rest;
       auto path = find_file(folder, std::string(name));
       while (!path && name.find_last_of(" \t") != std::string_view::npos) {
         name = name.substr(0, name.find_last_of(" \t"));
         path = find_file(folder, std::string(name));
       }
+      is_any_there = is_any_there || path;
       if (path)
-        reader.read(*path);
+        read_library(*path, reader);
       else
-        warnings.push_back("there is no material library " + internal::quoted(name));
+        reader.warnings.push_back("there is no material library " + internal::quoted(name));
       rest.remove_prefix(name.size());
       rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t")));
     }
   }
+  const auto of_same_name = mesh.filename().replace_extension(".mtl").string();
+  if (const auto path = find_file(folder, of_same_name); path && !is_any_there) {
+    reader.warnings.push_back("the material library " + internal::quoted(of_same_name) + " takes its place");
+    read_library(*path, reader);
+  }
   return reader;
-}
-
-/// Transparency that is a picture of its own: its alpha, or its brightness. Both have one size.
-inline void add_alpha(Image& image, const Image& alpha)
-{
-  if (alpha.width != image.width || alpha.height != image.height || image.pixels.empty())
-    return;
-  image.alpha.clear();
-  for (std::size_t i = 0; i < alpha.pixels.size(); ++i)
-    image.alpha.push_back(alpha.alpha.empty() ? alpha.pixels[i][0] : alpha.alpha[i]);
 }
 
 inline Source_texture texture_of(const Mtl_material& material, Index tile,
@@ -108,27 +119,43 @@ inline Source_texture texture_of(const Mtl_material& material, Index tile,
     texture.image = read_picture(folder, name_of_tile(material.picture), warnings);
   if (texture.image.pixels.empty())
     texture.factor = material.diffuse;
-  else if (!material.alpha_picture.empty())
-    add_alpha(texture.image, read_picture(folder, name_of_tile(material.alpha_picture), warnings));
+  if (!material.alpha_picture.empty()) {
+    const Image alpha = read_picture(folder, name_of_tile(material.alpha_picture), warnings);
+    if (texture.image.pixels.empty() && !alpha.pixels.empty())
+      texture.image = Image(1, 1); // white, of which the factor makes the colour
+    add_alpha(texture.image, alpha);
+  }
   texture.opacity = material.opacity;
   return texture;
+}
+
+/// What the libraries say of each material that the mesh names, or `nullptr`, which is told of if there are
+/// any libraries.
+inline std::vector<const Mtl_material*> materials_of_names(const Polygon_soup& soup, const Mtl_reader& reader,
+                                                           std::vector<std::string>& warnings)
+{
+  std::vector<const Mtl_material*> result;
+  for (const std::string& name : soup.material_names) {
+    result.push_back(reader.find(name));
+    if (!result.back() && !reader.materials.empty())
+      warnings.push_back("no material library has the material " + internal::quoted(name));
+  }
+  return result;
 }
 
 inline Source_textures read_mtl_textures(const std::filesystem::path& mesh, const Polygon_soup& soup,
                                          const std::vector<Point_2>& uv)
 {
   Source_textures result;
-  const std::filesystem::path folder = mesh.parent_path();
-  const Mtl_reader reader = read_libraries(folder, soup.material_libraries, result.warnings);
+  const Mtl_reader reader = read_libraries(mesh, soup.material_libraries);
+  result.warnings = reader.warnings;
   result.face_texture.assign(soup.number_of_faces(), no_index);
   std::map<std::pair<const Mtl_material*, Index>, Index> number; // of a material and tile
   const Mtl_material* const only = reader.materials.size() == 1 ? &reader.materials.begin()->second : nullptr;
+  const std::vector<const Mtl_material*> named = materials_of_names(soup, reader, result.warnings);
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f) {
-    const Mtl_material* material = only;
-    if (!soup.face_material.empty() && soup.face_material[f] != no_index) {
-      const auto found = reader.materials.find(soup.material_names[soup.face_material[f]]);
-      material = found == reader.materials.end() ? nullptr : &found->second;
-    }
+    const bool is_named = !soup.face_material.empty() && soup.face_material[f] != no_index;
+    const Mtl_material* const material = is_named ? named[soup.face_material[f]] : only;
     if (!material)
       continue;
     const bool has_tiles = material->picture.find("<UDIM>") != std::string::npos && !uv.empty();
@@ -137,7 +164,7 @@ inline Source_textures read_mtl_textures(const std::filesystem::path& mesh, cons
         number.try_emplace({material, tile}, static_cast<Index>(result.textures.size()));
     result.face_texture[f] = it->second;
     if (is_new)
-      result.textures.push_back(texture_of(*material, tile, folder, result.warnings));
+      result.textures.push_back(texture_of(*material, tile, mesh.parent_path(), result.warnings));
   }
   return result;
 }

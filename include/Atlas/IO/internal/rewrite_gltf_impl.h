@@ -82,14 +82,17 @@ private:
       return result;
     result.uv.assign(count, Point_2(NAN, NAN));
     Row_table<3> copies(count);
-    for (std::size_t f = part.first_face; f < part.end_face; ++f)
+    for (std::size_t f = part.first_face; f < part.end_face; ++f) {
+      const auto face = soup_.face(f);
+      if (std::find(face.begin(), face.end(), no_index) != face.end())
+        continue; // it names a vertex that does not exist
       for (const std::size_t k : {0, part.is_mirrored ? 2 : 1, part.is_mirrored ? 1 : 2}) {
-        const std::size_t c = soup_.first[f] + k;
-        if (soup_.vertices[c] == no_index)
-          numbers_.fail("a triangle names a vertex that does not exist");
-        const auto v = static_cast<Index>(soup_.vertices[c] - part.first_vertex);
-        result.indices.push_back(vertex_with(v, soup_.uv[c], count, copies, result));
+        const auto v = static_cast<Index>(face[k] - part.first_vertex);
+        result.indices.push_back(vertex_with(v, soup_.uv[soup_.first[f] + k], count, copies, result));
       }
+    }
+    if (result.indices.empty())
+      numbers_.fail("all triangles of a mesh name vertices that do not exist");
     for (Point_2& p : result.uv)
       if (std::isnan(p.x()))
         p = Point_2(0, 0);
@@ -340,7 +343,20 @@ private:
         surface["baseColorTexture"]["texCoord"] = changes_.uv_set;
       if (changes_.has_base_factors)
         surface.erase("baseColorFactor");
+      replace_diffuse_color(json["materials"][m], surface["baseColorTexture"]);
     }
+  }
+
+  /// Of programs that know KHR_materials_pbrSpecularGlossiness and prefer it.
+  void replace_diffuse_color(Json& material, const Json& texture) const
+  {
+    const char* const name = "KHR_materials_pbrSpecularGlossiness";
+    if (!material.contains("extensions") || !material["extensions"].contains(name))
+      return;
+    Json& surface = material["extensions"][name];
+    surface["diffuseTexture"] = texture;
+    if (changes_.has_base_factors)
+      surface.erase("diffuseFactor");
   }
 
   Gltf_reader reader_;

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,10 +73,7 @@ public:
 
   /// \param text must outlive the scanner
   Text_scanner(std::string_view text, std::string file_name, int options)
-      : rest_(text), file_name_(std::move(file_name)), options_(options),
-        end_of_line_(text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos
-                         ? '\r'
-                         : '\n')
+      : rest_(text), file_name_(std::move(file_name)), options_(options)
   {
     if (rest_.substr(0, 3) == "\xEF\xBB\xBF")
       rest_.remove_prefix(3);
@@ -156,6 +155,8 @@ public:
       value = std::strtod(std::string(begin, p).c_str(), nullptr);
     else if (error != std::errc())
       fail(std::string(what) + " is not a number: " + quoted(token()));
+    if (p != end_ && *p == '#' && is_word_of_microsoft(p + 1, value))
+      return value;
     if (p != end_ && !ends_number(*p))
       fail(std::string(what) + " is not a number: " + quoted(token()));
     cursor_ = p;
@@ -210,6 +211,15 @@ public:
     return true;
   }
 
+  /// Skips .000 behind an integer.
+  void skip_zero_fraction()
+  {
+    const std::string_view rest(cursor_, static_cast<std::size_t>(end_ - cursor_));
+    const std::size_t end = std::min(rest.find_first_not_of('0', 1), rest.size());
+    if (rest.starts_with('.') && (end == rest.size() || ends_number(rest[end]) || rest[end] == '/'))
+      cursor_ += end;
+  }
+
   /// Whether the cursor is behind a token that is a number, or several.
   bool at_token_end() const { return cursor_ == end_ || ends_number(*cursor_); }
 
@@ -227,20 +237,55 @@ private:
   /// A comment may follow a number without a blank; a name may have a `#` in it.
   bool ends_number(char c) const { return is_blank(c) || (c == '#' && options_ & hash_comments); }
 
+  /// Old C libraries write 1.#INF, -1.#IND and 1.#QNAN; reads what is behind the mark.
+  bool is_word_of_microsoft(const char* p, double& value)
+  {
+    const std::string_view rest(p, static_cast<std::size_t>(end_ - p));
+    if (rest.starts_with("INF"))
+      value = std::copysign(std::numeric_limits<double>::infinity(), value);
+    else if (rest.starts_with("IND") || rest.starts_with("QNAN") || rest.starts_with("SNAN"))
+      value = std::numeric_limits<double>::quiet_NaN();
+    else
+      return false;
+    token();
+    return true;
+  }
+
   void take_physical_line()
   {
     line_ += lines_taken_;
     lines_taken_ = 1;
-    const void* const found = std::memchr(rest_.data(), end_of_line_, rest_.size());
-    const std::size_t length =
-        found ? static_cast<std::size_t>(static_cast<const char*>(found) - rest_.data()) : rest_.size();
+    const std::size_t length = length_of_line();
     begin_ = cursor_ = rest_.data();
     end_ = cursor_ + length;
     rest_.remove_prefix(std::min(rest_.size(), length + 1));
   }
 
+  /// Up to a line feed, or to a carriage return behind which the line goes on.
+  std::size_t length_of_line()
+  {
+    const char* const begin = rest_.data();
+    if (!feed_ || feed_ < begin) { // else it is still ahead, so that texts without any are not searched again
+      feed_ = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
+      has_feed_ = feed_ != nullptr;
+      feed_ = has_feed_ ? feed_ : begin + rest_.size();
+    }
+    const char *const end = feed_, *last = end;
+    while (has_feed_ && last != begin && last[-1] == '\r') // these belong to the line feed
+      --last;
+    const auto n = static_cast<std::size_t>(last - begin);
+    const auto* const carriage_return =
+        n == 0 ? nullptr : static_cast<const char*>(std::memchr(begin, '\r', n));
+    return static_cast<std::size_t>((carriage_return ? carriage_return : end) - begin);
+  }
+
+  /// A comment is not continued: some end in the path of a folder.
   bool ends_in_backslash() const
   {
+    const std::string_view line(cursor_, static_cast<std::size_t>(end_ - cursor_));
+    if (const std::size_t first = line.find_first_not_of(" \t"); first != std::string_view::npos)
+      if (line[first] == '#' && options_ & hash_comments)
+        return false;
     const char* last = end_;
     while (last != cursor_ && is_blank(last[-1]))
       --last;
@@ -275,9 +320,10 @@ private:
   const char* begin_ = nullptr;
   const char* cursor_ = nullptr;
   const char* end_ = nullptr;
+  const char* feed_ = nullptr; ///< the next line feed, or the end of the text
+  bool has_feed_ = false;
   std::size_t line_ = 0, lines_taken_ = 1;
   int options_;
-  char end_of_line_;
 };
 
 } // namespace Atlas::internal

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace Atlas::internal {
 
@@ -80,21 +81,68 @@ inline std::string utf8_of_utf16(std::string_view bytes, bool is_big_endian)
   return text;
 }
 
-/// \brief The text of a file in UTF-8: UTF-16, with a byte order mark or begun with a character of ASCII, is
-/// converted; zero bytes, with which some programs pad, become blanks.
+/// UTF-32 as UTF-8; what is no character becomes U+FFFD.
+inline std::string utf8_of_utf32(std::string_view bytes, bool is_big_endian)
+{
+  std::string text;
+  text.reserve(bytes.size() / 4);
+  for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+    unsigned long code = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      code = code << 8 | static_cast<unsigned char>(bytes[i + (is_big_endian ? k : 3 - k)]);
+    append_character(text, code >= 0x110000 || (code >= 0xD800 && code < 0xE000) ? 0xFFFD : code);
+  }
+  return text;
+}
+
+/// Bytes in UTF-16 or UTF-32, with a byte order mark or begun with a character of ASCII, as UTF-8; others
+/// stay.
+inline std::string utf8_of_any(std::string bytes)
+{
+  using namespace std::string_view_literals;
+  const auto ascii_at = [&](std::size_t place, std::size_t width) { // all other bytes are zero
+    for (std::size_t i = 0; i < 4; ++i)
+      if ((bytes[i] != '\0') != (i % width == place))
+        return false;
+    return true;
+  };
+  if (bytes.size() < 4)
+    return bytes;
+  for (const bool is_big : {false, true})
+    if (bytes.starts_with(is_big ? "\0\0\xFE\xFF"sv : "\xFF\xFE\0\0"sv))
+      return utf8_of_utf32(std::string_view(bytes).substr(4), is_big);
+    else if (ascii_at(is_big ? 3 : 0, 4))
+      return utf8_of_utf32(bytes, is_big);
+  for (const bool is_big : {false, true})
+    if (bytes.starts_with(is_big ? "\xFE\xFF"sv : "\xFF\xFE"sv))
+      return utf8_of_utf16(std::string_view(bytes).substr(2), is_big);
+    else if (ascii_at(is_big ? 1 : 0, 2))
+      return utf8_of_utf16(bytes, is_big);
+  return bytes;
+}
+
+/// Zero bytes with which some programs pad, at the ends of lines or in runs, become blanks.
+inline void blank_padding(std::string& bytes)
+{
+  const auto is_line_end = [](char c) { return c == '\n' || c == '\r'; };
+  for (std::size_t begin = bytes.find('\0'); begin != std::string::npos; begin = bytes.find('\0', begin)) {
+    const std::size_t end = std::min(bytes.find_first_not_of('\0', begin), bytes.size());
+    if (begin == 0 || end == bytes.size() || is_line_end(bytes[begin - 1]) || is_line_end(bytes[end]))
+      std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                bytes.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    begin = end;
+  }
+}
+
+/// \brief The text of a file in UTF-8. See `utf8_of_any()` and `blank_padding()`; other zero bytes become
+/// blanks, too, and so does the old mark of the end.
 ///
 /// \throw IO_error naming line and byte, if more than one byte of a hundred is a control character, as no
 /// text has them
 inline std::string decoded_text(std::string bytes, const std::string& file_name)
 {
-  const auto is_zero = [&](std::size_t i) { return i < bytes.size() && bytes[i] == '\0'; };
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    bytes = utf8_of_utf16(std::string_view(bytes).substr(2), bytes[0] == '\xFE');
-  else if (bytes.size() >= 4 && is_zero(0) != is_zero(1) && is_zero(0) == is_zero(2) &&
-           is_zero(1) == is_zero(3))
-    bytes = utf8_of_utf16(bytes, is_zero(0));
-  while (!bytes.empty() && bytes.back() == '\0')
-    bytes.pop_back();
+  bytes = utf8_of_any(std::move(bytes));
+  blank_padding(bytes);
   const auto is_control = [](char c) {
     return static_cast<unsigned char>(c) < 32 && !(c >= '\t' && c <= '\r') && c != '\x1A'; // the old end mark
   };
@@ -105,7 +153,9 @@ inline std::string decoded_text(std::string bytes, const std::string& file_name)
                    ": not a text file (byte " + std::to_string(static_cast<unsigned char>(*at)) +
                    " at offset " + std::to_string(at - bytes.begin()) + ")");
   }
-  std::replace(bytes.begin(), bytes.end(), '\0', ' ');
+  for (char& c : bytes)
+    if (c == '\0' || c == '\x1A')
+      c = ' ';
   return bytes;
 }
 
