@@ -55,6 +55,46 @@ TEST(largest_scale_alone, is_what_no_turn_exceeds)
     }
 }
 
+/// The density at which each chart fits the page alone, within its margin.
+double density_alone(const std::vector<Chart>& charts, const Page_options& page)
+{
+  double density = HUGE_VAL;
+  for (const Chart& chart : charts) {
+    std::vector<internal::Vec2> points;
+    for (const Point_2& p : chart.uv)
+      points.push_back({p.x(), p.y()});
+    density =
+        std::min(density, internal::largest_scale_alone(internal::convex_hull(std::move(points)),
+                                                        page.width - page.gutter, page.height - page.gutter));
+  }
+  return density;
+}
+
+TEST(largest_scale_alone, is_never_below_what_a_packing_reaches)
+{
+  for (const Chart_family family : all_chart_families)
+    for (const std::size_t n : {2, 3, 6}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(family) << " " << n);
+      const std::vector<Chart> charts = random_charts(family, 29, n);
+      const Page_options page = page_of(256, 3);
+      const double most = density_alone(charts, page);
+      EXPECT_LE(Raster_packer().pack(charts, page, Execution(1)).density, most * (1 + 1e-9));
+      EXPECT_LE(Horizon_packer().pack(charts, page, Execution(1)).density, most * (1 + 1e-9));
+    }
+}
+
+/// A chart that is as long as the page, and parallel to it, leaves nothing to search for.
+TEST(Raster_packer, a_chart_that_is_too_long_lies_as_if_it_were_alone)
+{
+  const std::vector<Chart> charts{rectangle_chart(40, 0.5), rectangle_chart(2, 3)};
+  const Page_options page = page_of(512, 4);
+  const double alone = (page.width - page.gutter) / 40;
+  const Packing packing = Raster_packer().pack(charts, page, Execution(1));
+  EXPECT_GE(packing.density, 0.999 * alone);
+  EXPECT_LE(packing.density, (1 + 1e-9) * alone);
+  expect_clear(charts, packing, page, 4);
+}
+
 TEST(Raster_packer, is_never_below_the_horizon_and_keeps_the_gutter)
 {
   for (const Chart_family family : all_chart_families) {

@@ -39,6 +39,7 @@ public:
   {
     int packings = most_packings, retractions = most_retractions; ///< on the way up, and on the way back
     double added_length = std::numeric_limits<double>::infinity();
+    double least_coverage = 0; ///< less is of no use
   };
   /// Packings at most: on the way up, and on the way back.
   static constexpr int most_packings = 24, most_halvings = 3, most_retractions = 6;
@@ -55,7 +56,7 @@ public:
   /// is what there was
   std::optional<Cut_charts> reach(double coverage, double wanted, const Limits& limits)
   {
-    double most = coverage, room = forest_.room();
+    double most = std::max(coverage, limits.least_coverage), room = forest_.room();
     std::size_t enough = 0, few = 0;
     for (int i = 0; i < limits.packings && most < wanted; ++i) {
       // The room that charts need times what of it is covered hardly changes by few cuts.

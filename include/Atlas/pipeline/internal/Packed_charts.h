@@ -70,7 +70,8 @@ public:
     packed.coverage = coverage(packed, page);
   }
 
-  /// A bound on the coverage, whatever the packer: each chart has to fit on the page alone.
+  /// A bound on the coverage, whatever the packer that keeps the gutter: each chart has to fit on the page
+  /// alone.
   double most_coverage(const Packed_charts& packed, const Page_options& page) const
   {
     const bool is_plain = page.pages == 1 && !(page.density > 0) && !page.snaps && page.weights.empty() &&
@@ -78,7 +79,7 @@ public:
                           !(least_texels_ > 0);
     if (!is_plain)
       return 1;
-    const double width = page.width, height = page.height;
+    const double width = page.width, height = page.height, gutter = packed_gutter(packed, page);
     double area = 0, density = std::numeric_limits<double>::infinity();
     for (const Chart& chart : packed.charts) {
       area += std::abs(area_uv(chart));
@@ -86,7 +87,7 @@ public:
       for (const Point_2& p : chart.uv)
         points.push_back({p.x(), p.y()});
       if (const std::vector<Vec2> hull = convex_hull(std::move(points)); hull.size() > 2)
-        density = std::min(density, largest_scale_alone(hull, width, height));
+        density = std::min(density, largest_scale_alone(hull, width - gutter, height - gutter));
     }
     return std::min(1.0, area * density * density / (width * height));
   }
@@ -96,6 +97,14 @@ private:
   static constexpr int most_rounds = 5;
   /// How many times as many texels as asked for charts get at first, for the density that is lost then.
   static constexpr double ample = 1.1;
+
+  /// The gutter that is kept for sure. Packers make it smaller where even points do not fit the page.
+  static double packed_gutter(const Packed_charts& packed, const Page_options& page)
+  {
+    const double gutter = page.effective_gutter();
+    const double places = std::floor(page.width / (2 * gutter)) * std::floor(page.height / (2 * gutter));
+    return static_cast<double>(packed.charts.size()) <= places ? gutter : 0;
+  }
 
   static double texels_of(const Packed_charts& packed, std::size_t i)
   {

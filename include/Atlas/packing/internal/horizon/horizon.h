@@ -134,10 +134,13 @@ public:
     for (std::size_t u = 0; u + w <= n; ++u) {
       const double gap = bottoms - (sums_[u + w] - sums_[u]);
       double y = std::max(0.0, windows_[u] - highest_bottom);
-      if (columns * y + gap > least_loss || y + shape.height > height_)
+      // No better than the best if both are equal: so most columns of an empty page are not looked at.
+      const double bound = columns * y + gap;
+      if (bound > least_loss || (bound == least_loss && y >= best_y) || y + shape.height > height_)
         continue;
-      for (std::size_t i = 0; i < w; ++i)
-        y = std::max(y, horizon_[u + i] - shape.bottom[i]);
+      for (std::size_t i = 0; i < w && columns * y + gap <= least_loss;)
+        for (const std::size_t end = std::min(w, i + columns_between_looks); i < end; ++i)
+          y = std::max(y, horizon_[u + i] - shape.bottom[i]);
       const double loss = columns * y + gap;
       if (y + shape.height <= height_ && (loss < least_loss || (loss == least_loss && y < best_y))) {
         least_loss = loss;
@@ -155,6 +158,9 @@ public:
   }
 
 private:
+  /// Columns of a shape that are looked at before it is asked whether the place can still be the best.
+  static constexpr std::size_t columns_between_looks = 32;
+
   /// windows_[u] becomes the maximum of the horizon over [u, u + w). O(columns).
   void update_windows(std::size_t w)
   {

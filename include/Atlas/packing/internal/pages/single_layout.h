@@ -53,13 +53,6 @@ public:
     return best_;
   }
 
-  /// The largest scale, if any turn is allowed.
-  double largest_scale()
-  {
-    operator()();
-    return 1 / size_;
-  }
-
   /// Multiples of 90 degrees.
   Vec2 quarter_turn()
   {
@@ -67,6 +60,20 @@ public:
     offer(Vec2{0, 1});
     return best_;
   }
+
+  /// Those that a chart may make.
+  Vec2 turn(Chart_rotation rotation)
+  {
+    if (rotation == Chart_rotation::none)
+      offer(Vec2{1, 0});
+    return rotation == Chart_rotation::none            ? best_
+           : rotation == Chart_rotation::quarter_turns ? quarter_turn()
+                                                       :
+                                                       operator()();
+  }
+
+  /// The largest scale, of the turns that have been looked at.
+  double scale() const { return 1 / size_; }
 
 private:
   static double positive_remainder(double x, double period) { return x - period * std::floor(x / period); }
@@ -119,7 +126,24 @@ private:
 /// The largest scale at which a convex polygon fits a rectangle, in any turn. \see `Best_turn`
 inline double largest_scale_alone(const std::vector<Vec2>& hull, double width, double height)
 {
-  return Best_turn(hull, width, height).largest_scale();
+  Best_turn turns(hull, width, height);
+  turns();
+  return turns.scale();
+}
+
+/// The largest scale at which each outline fits the page alone, within its margin: no layout has a larger
+/// one.
+inline double largest_scale_alone(const Outlines& outlines, const Page_task& page, double margin)
+{
+  const double width = page.width - 2 * margin, height = page.height - 2 * margin;
+  double scale = HUGE_VAL;
+  for (const Outline& outline : outlines.charts)
+    if (const std::vector<Vec2> hull = convex_hull(outline.points); hull.size() > 2) {
+      Best_turn turns(hull, width, height);
+      turns.turn(outline.rotation);
+      scale = std::min(scale, turns.scale());
+    }
+  return scale;
 }
 
 /// The layout of the only outline of a page, at the largest scale there is, at most the one wanted; nothing
@@ -131,9 +155,7 @@ inline std::optional<Layout> single_layout(const Outline& outline, const Page_ta
   if (!(width > 0 && height > 0) || hull.size() < 3)
     return std::nullopt;
   Best_turn turns(hull, width, height);
-  const Vec2 turn = outline.rotation == Chart_rotation::none            ? Vec2{1, 0}
-                    : outline.rotation == Chart_rotation::quarter_turns ? turns.quarter_turn()
-                                                                        : turns();
+  const Vec2 turn = turns.turn(outline.rotation);
   Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
   for (const Vec2& p : outline.points) {
     const Vec2 q = rotated(turn, p);

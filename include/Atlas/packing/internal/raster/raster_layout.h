@@ -40,10 +40,17 @@ struct Search_budget
 
   /// Of thousands of shapes one step of a search moves all, and takes as long as many rounds with few shapes:
   /// they get half of the searches and rounds. In a race few shapes get half of the searches too: each of
-  /// them sees most layouts that there are.
+  /// them sees most layouts that there are, and the only one of very few shapes all.
   unsigned searches_for(std::size_t shapes) const
   {
+    if (is_race && shapes <= very_few_shapes)
+      return 1;
     return shapes > many_shapes || (is_race && shapes <= few_shapes) ? (searches + 1) / 2 : searches;
+  }
+  /// How fine rasters and shapes are. When time is short, few shapes are seen coarsely: they are large.
+  double fineness_for(std::size_t shapes) const
+  {
+    return is_race && rounds > 0 && shapes <= very_few_shapes ? 0.5 : 1;
   }
   unsigned rounds_for(std::size_t shapes) const { return shapes > many_shapes ? (rounds + 1) / 2 : rounds; }
   /// How many rounds of a race in a row may gain little.
@@ -70,6 +77,13 @@ inline constexpr std::size_t max_shapes_of_pure_exploration = 64;
 inline constexpr double most_lag = 0.012;
 /// Rounds that raise the scale by less than this, all together, end a race.
 inline constexpr double least_gain_of_rounds = 0.0004;
+/// The scale from which on nothing is left to be gained: the one wanted, or nearly the largest there can be.
+inline double enough_scale(double wanted, double largest)
+{
+  constexpr double error = 1e-9;
+  return wanted <= (1 + error) * largest ? wanted : (1 - least_gain_of_rounds) * largest;
+}
+
 /// The share of searches that stays in a race after each round.
 inline constexpr double share_in_race = 0.6;
 
@@ -85,7 +99,7 @@ inline Shape_resolution search_resolution(const Packing_problem& problem, double
   Shape_resolution resolution;
   resolution.tolerance = problem.tolerance / scale;
   resolution.spacing = side / 128 / scale;
-  resolution.cell = side / 256 / scale;
+  resolution.cell = side / (256 * problem.fineness) / scale;
   resolution.gutter = (problem.gutter + 4 * problem.tolerance) / scale;
   resolution.cells_per_chart = problem.outlines.size() > Search_budget::many_shapes ? 12 : 20;
   return resolution;
@@ -122,10 +136,11 @@ inline void make_shapes(Packing_problem& problem, double side, double scale, boo
 /// What searches need to know: shapes of the outlines that are not empty, and of the obstacles, as fine as
 /// suits the page.
 inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles& obstacles,
-                                       const Page_task& page, const Layout& fallback, bool may_explore,
-                                       const Execution& execution)
+                                       const Page_task& page, const Layout& fallback,
+                                       const Search_budget& budget, const Execution& execution)
 {
   Packing_problem problem;
+  problem.fineness = budget.fineness_for(outlines.size());
   problem.fallback.scale = fallback.scale;
   const auto add = [&](const Outline& outline, Vec2 turn, Vec2 position) {
     problem.outlines.push_back(&outline);
@@ -145,7 +160,7 @@ inline Packing_problem packing_problem(const Outlines& outlines, const Obstacles
 
   const double side = std::sqrt(problem.width * problem.height);
   const double scale = likely_scale(outlines, side, fallback.scale);
-  make_shapes(problem, side, scale, may_explore, execution);
+  make_shapes(problem, side, scale, budget.rounds > 0, execution);
   if (execution.is_cancelled())
     return problem;
   problem.masks.emplace(problem.movables(), 8, scale, problem.pixel() * scale / problem.scale_of_share(0.8),
@@ -158,7 +173,7 @@ class Joint_search
 {
 public:
   Joint_search(const Packing_problem& problem, const Search_budget& budget)
-      : budget_(budget), shapes_(problem.shapes.size())
+      : problem_(problem), budget_(budget), shapes_(problem.shapes.size())
   {
     for (unsigned k = 0; k < budget.searches_for(shapes_); ++k)
       searches_.emplace_back(problem, k);
@@ -168,10 +183,11 @@ public:
   /// The best layout at a scale of at most `most_scale`; its scale is 0 if there is none.
   Shape_layout run(double most_scale, const Execution& execution)
   {
+    const double enough = enough_scale(most_scale, problem_.most_scale);
     start(execution);
     const unsigned rounds = budget_.rounds_for(shapes_);
     std::vector<double> scales; // before each round
-    for (unsigned r = 0; r < rounds && best().best().scale < most_scale; ++r) {
+    for (unsigned r = 0; r < rounds && best().best().scale < enough; ++r) {
       scales.push_back(best().best().scale);
       if (!execution.proceed((r + 1.0) / (rounds + 1)))
         break;
@@ -249,6 +265,7 @@ private:
         search.restart(leader);
   }
 
+  const Packing_problem& problem_;
   Search_budget budget_;
   std::size_t shapes_;
   std::vector<Packing_search> searches_; ///< those that still run first
@@ -273,8 +290,11 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
   if (!result || !(outlines.area > 0) || result->scale >= page.most_scale ||
       outlines.size() > budget.max_charts || execution.is_cancelled())
     return result;
-  const Packing_problem problem =
-      packing_problem(outlines, obstacles, page, *result, budget.rounds > 0, execution);
+  const double largest = largest_scale_alone(outlines, page, result->margin);
+  if (result->scale >= enough_scale(page.most_scale, largest))
+    return result;
+  Packing_problem problem = packing_problem(outlines, obstacles, page, *result, budget, execution);
+  problem.most_scale = largest;
   if (execution.is_cancelled())
     return result;
   const Shape_layout found = Joint_search(problem, budget).run(page.most_scale, execution);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,8 +25,11 @@ struct Packing_problem
   std::vector<Packing_shape> shapes;    ///< those that move, then obstacles, which are in texels
   std::size_t movable = 0;              ///< shapes that move
   double width = 0, height = 0;
-  double gutter = 0;     ///< to be kept exactly
-  double tolerance = 0;  ///< of simplification, in texels
+  double gutter = 0;    ///< to be kept exactly
+  double fineness = 1;  ///< of rasters and shapes
+  double tolerance = 0; ///< of simplification, in texels
+  /// No layout has a larger scale.
+  double most_scale = std::numeric_limits<double>::infinity();
   Shape_layout fallback; ///< layouts of a smaller scale are of no use. Layouts have obstacles too
   std::optional<Raster_masks> masks;
   std::vector<Coarse_shape> coarse; ///< none with very many shapes
@@ -57,7 +61,7 @@ struct Packing_problem
   /// The side of a pixel: the finer the more shapes there are.
   double pixel() const
   {
-    const double count = std::max(120.0, 9 * std::sqrt(static_cast<double>(shapes.size())));
+    const double count = std::max(120 * fineness, 9 * std::sqrt(static_cast<double>(shapes.size())));
     return std::max(std::sqrt(width * height) / count, gutter / 4);
   }
   /// What shapes are grown by on a raster: not enough to keep them apart for sure, relaxing does the rest.

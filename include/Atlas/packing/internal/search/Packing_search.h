@@ -168,7 +168,7 @@ private:
     std::vector<Index> sequence = order();
     const Packing_problem& p = *problem_;
     const int tries = p.movable <= 300 ? 2 : 1;
-    double scale = std::min(p.scale_of_share(0.74), 1.45 * p.fallback.scale);
+    double scale = std::min({p.scale_of_share(0.74), 1.45 * p.fallback.scale, p.most_scale});
     const auto attempt = [&](double s) {
       std::optional<Shape_layout> layout =
           build_on_raster(*p.masks, p.empty_page(p.masks->pixel(s)), s, sequence, tries, work_);
