@@ -195,8 +195,8 @@ struct [[nodiscard]] Atlas_report
 
   double area = 0;        ///< of the surface, squared units of the model
   double seam_length = 0; ///< units of the model, each seam once
-  Distortion distortion; ///< of the whole atlas, up to one scale; as `unoptimized` and `gradient_angles` without
-                         ///< charts of faces that were not selected
+  Distortion distortion;  ///< of the whole atlas, up to one scale; as `unoptimized` and `gradient_angles`
+                          ///< without charts of faces that were not selected
   Distortion unoptimized; ///< the same before the optimizer, each chart scaled to its area in space; the same
                           ///< as `distortion` if the optimizer changed nothing
   std::array<double, 180> gradient_angles{}; ///< figure 9 of the LSCM paper: per degree of the angle between

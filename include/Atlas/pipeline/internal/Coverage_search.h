@@ -134,7 +134,7 @@ public:
 
 private:
   /// Each cut has to raise the density by that much: few charts are worth something too.
-  static constexpr double gain_of_cut = 0.01;
+  static constexpr double gain_of_cut = 0.008;
   /// With all cuts, then with half of them.
   static constexpr int trials_of_trade = 2;
   static constexpr std::size_t most_cuts_of_trade = 128;

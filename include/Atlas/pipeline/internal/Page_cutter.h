@@ -133,7 +133,8 @@ private:
     Coverage_search search = search_in(Cut_forest(
         surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
     std::optional<Cut_charts> cut =
-        search.reach(coverage, usual_coverage, {packings_of_trade, retractions_of_trade, most_added, trade_.empty_coverage});
+        search.reach(coverage, usual_coverage,
+                     {packings_of_trade, retractions_of_trade, most_added, trade_.empty_coverage});
     const bool is_enough = cut && cut->packed.coverage >= trade_.empty_coverage &&
                            half_of_borders(cut->flattened) - seam <= most_added;
     return is_enough ? std::move(cut) : std::nullopt;
