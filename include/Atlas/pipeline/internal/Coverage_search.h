@@ -84,8 +84,8 @@ public:
     return std::move(best_);
   }
 
-  /// Makes the cuts of a forest that knows what they are worth, or the better half of them. There are not
-  /// hundreds: the pieces of needles would take longer to pack than all the rest.
+  /// Makes the cuts of a forest that knows what they are worth, or the better half of them: whichever is worth
+  /// more. There are not hundreds: the pieces of needles would take longer to pack than all the rest.
   ///
   /// \param seam  the length of all borders between charts
   /// \return none if the density does not rise by what that length and the pieces are worth
@@ -95,17 +95,22 @@ public:
     }
     const std::vector<Index> cuts = forest_.cuts(); // the best first
     number_of_cuts_ = cuts.size();
+    std::optional<Cut_charts> best;
+    double most_worth = 0; // gain of density beyond the least one
     for (int i = 0; i < trials_of_trade && number_of_cuts_ > 0; ++i) {
       const double added = forest_.added_length() / seam;
       const double least_gain =
           std::max(exchange_rate * added, gain_of_cut * static_cast<double>(number_of_cuts_));
-      Cut_charts now = packed_now(coverage * (1 + least_gain) * (1 + least_gain));
-      const double gain = std::sqrt(now.packed.coverage / coverage) - 1;
-      if (now.packed.packing.number_of_pages > 0 && gain >= least_gain)
-        return now;
+      const double needed = 1 + least_gain + most_worth;
+      Cut_charts now = packed_now(coverage * needed * needed);
+      const double worth = std::sqrt(now.packed.coverage / coverage) - 1 - least_gain;
+      if (now.packed.packing.number_of_pages > 0 && (best ? worth > most_worth : worth >= 0)) {
+        most_worth = worth;
+        best = std::move(now);
+      }
       set_number(cuts, number_of_cuts_ / 2);
     }
-    return std::nullopt;
+    return best;
   }
 
   /// Cuts charts that are larger than a page until all have the density that they are packed at.
@@ -134,7 +139,7 @@ public:
 
 private:
   /// Each cut has to raise the density by that much: few charts are worth something too.
-  static constexpr double gain_of_cut = 0.008;
+  static constexpr double gain_of_cut = 0.01;
   /// With all cuts, then with half of them.
   static constexpr int trials_of_trade = 2;
   static constexpr std::size_t most_cuts_of_trade = 128;
