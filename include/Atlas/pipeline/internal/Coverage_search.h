@@ -84,8 +84,8 @@ public:
     return std::move(best_);
   }
 
-  /// Makes the cuts of a forest that knows what they are worth, or the better half of them: whichever is worth
-  /// more. There are not hundreds: the pieces of needles would take longer to pack than all the rest.
+  /// Makes the cuts of a forest that knows what they are worth, or the better half of them: whichever is
+  /// worth more. There are not hundreds: the pieces of needles would take longer to pack than all the rest.
   ///
   /// \param seam  the length of all borders between charts
   /// \return none if the density does not rise by what that length and the pieces are worth
