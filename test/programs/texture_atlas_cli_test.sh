@@ -401,7 +401,7 @@ grep -q 'broken.obj:2: .*x' stderr || fail "the line is not named: $(cat stderr)
 head -c 5000 /dev/urandom >random.ply
 expect 3 1 random.ply -o out/a.obj
 printf 'v 0 0 0\nf 1 1 1\n' >point.obj
-expect 1 1 point.obj -o out/a.obj
+expect 1 2 point.obj -o out/a.obj
 files
 
 # Faces that take no part are told, and the others get coordinates.
