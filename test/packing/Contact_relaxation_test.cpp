@@ -130,7 +130,8 @@ TEST(Packing_search, starts_as_one_with_the_same_order)
   page.margin = 1;
   const std::optional<Layout> fallback = horizon_layout(outlines, page, Horizon_source::outline, one);
   ASSERT_TRUE(fallback);
-  const Packing_problem problem = packing_problem(outlines, Obstacles(), page, *fallback, Search_budget(), one);
+  const Packing_problem problem =
+      packing_problem(outlines, Obstacles(), page, *fallback, Search_budget(), one);
   Packing_search first(problem, 0), same(problem, 1), copy(problem, 1);
   ASSERT_TRUE(same.starts_like(first));
   first.start(one);
