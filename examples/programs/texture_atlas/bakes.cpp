@@ -65,25 +65,36 @@ Baker::Baker(const Options& options, const Input& input, Atlas::Image_size size)
     place_ = Atlas::place_on(input.models.whole(), input.detail, options.cage);
 }
 
+const Atlas::Polygon_soup& Baker::shown() const
+{
+  return place_ ? input_.detail : input_.models.whole();
+}
+
+template <typename Shader>
+Shader Baker::at_place(Shader shader) const
+{
+  if (!place_)
+    return shader;
+  return [place = place_, shader](const Atlas::Bake_sample& sample) { return shader(place(sample)); };
+}
+
+Atlas::internal::Texel_shader Baker::texels() const
+{
+  constexpr Atlas::Color missing{128, 128, 128}; // as `texture_shader()` shows where nothing is
+  return at_place(Atlas::internal::texel_shader(shown(), size_, input_.source, missing));
+}
+
 Atlas::Bake_shader Baker::shader(Bake what) const
 {
-  const Atlas::Polygon_soup &model = input_.models.whole(), &shown = place_ ? input_.detail : model;
-  const auto at_place = [&](auto shader) -> decltype(shader) {
-    if (!place_)
-      return shader;
-    return [place = place_, shader](const Atlas::Bake_sample& sample) { return shader(place(sample)); };
-  };
   if (what == Bake::tangent_normals)
-    return color_of(Atlas::in_tangent_space(model, at_place(Atlas::shading_normal(shown))));
-  return at_place(shader_of(what, shown, size_, input_.source));
+    return color_of(Atlas::in_tangent_space(input_.models.whole(), at_place(Atlas::shading_normal(shown()))));
+  return at_place(shader_of(what, shown(), size_, input_.source));
 }
 
 Atlas::Bake_shader Baker::opacity() const
 {
-  const Atlas::Polygon_soup& shown = place_ ? input_.detail : input_.models.whole();
-  const auto shader = Atlas::internal::texel_shader(shown, size_, input_.source, {128, 128, 128});
-  return [place = place_, shader](const Atlas::Bake_sample& sample) {
-    const std::uint8_t alpha = shader(place ? place(sample) : sample).alpha;
+  return [shader = texels()](const Atlas::Bake_sample& sample) {
+    const std::uint8_t alpha = shader(sample).alpha;
     return Atlas::Color{alpha, alpha, alpha};
   };
 }
@@ -109,13 +120,8 @@ Atlas::Image Baker::image(Bake what, Atlas::Index page, const Atlas::Execution& 
   const Atlas::Polygon_soup& model = input_.models.whole();
   if (what == Bake::texture && !place_) // with alpha
     return Atlas::transfer_texture(model, size_, input_.source, page, execution);
-  if (what == Bake::texture) { // of another mesh; grey is what `texture_shader()` shows where nothing is
-    const Atlas::internal::Texel_shader shader =
-        Atlas::internal::texel_shader(input_.detail, size_, input_.source, {128, 128, 128});
-    return Atlas::internal::bake_texels(
-        model, size_, [&](const Atlas::Bake_sample& sample) { return shader(place_(sample)); }, page,
-        execution);
-  }
+  if (what == Bake::texture) // of another mesh
+    return Atlas::internal::bake_texels(model, size_, texels(), page, execution);
   return Atlas::bake_texture(model, size_, shader(what), page, execution);
 }
 

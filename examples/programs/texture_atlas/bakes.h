@@ -6,6 +6,7 @@
 #include <Atlas/bake/bake_ambient_occlusion.h>
 #include <Atlas/bake/bake_texture.h>
 #include <Atlas/bake/internal/heights.h>
+#include <Atlas/bake/internal/texel_shader.h>
 #include <Atlas/core/Execution.h>
 #include <Atlas/image/Image.h>
 
@@ -56,6 +57,13 @@ public:
   Atlas::Bake_shader opacity() const;
 
 private:
+  /// What is baked: the model, or the mesh that has been given for it.
+  const Atlas::Polygon_soup& shown() const;
+  /// What a shader shows at the place that is baked.
+  template <typename Shader>
+  Shader at_place(Shader shader) const;
+  /// What a texel shows of the old textures, with alpha.
+  Atlas::internal::Texel_shader texels() const;
   Atlas::Image image(Bake what, Atlas::Index page, const Atlas::Execution& execution) const;
   Atlas::Polygon_soup welded_model() const;
 

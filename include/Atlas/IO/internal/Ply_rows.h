@@ -3,9 +3,11 @@
 #define ATLAS_IO_INTERNAL_PLY_ROWS_H
 
 #include <Atlas/IO/internal/extension.h>
+#include <Atlas/IO/internal/row_ends.h>
 #include <Atlas/image/internal/Binary_scanner.h>
 #include <Atlas/image/internal/Text_scanner.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -39,9 +41,8 @@ struct Ply_element
   int find(std::initializer_list<std::string_view> names) const
   {
     for (std::size_t i = 0; i < properties.size(); ++i)
-      for (const std::string_view name_wanted : names)
-        if (lower_case(properties[i].name) == name_wanted)
-          return static_cast<int>(i);
+      if (std::find(names.begin(), names.end(), lower_case(properties[i].name)) != names.end())
+        return static_cast<int>(i);
     return -1;
   }
 };
@@ -63,19 +64,13 @@ inline std::optional<Ply_type> ply_type(std::string_view word)
   return std::nullopt;
 }
 
-/// Where the rows of a text file end.
-enum class Ply_row_ends {
-  lines,   ///< each has a line; values at its end that the header does not declare are skipped
-  anywhere ///< line ends are blanks
-};
-
 /// The rows of a text or binary PLY file as numbers.
 class Ply_rows
 {
 public:
   Ply_rows(std::string_view bytes, std::string file_name, Text_scanner& text,
-           std::optional<std::endian> order, Ply_row_ends ends)
-      : text_(text), is_text_(!order), has_free_rows_(ends == Ply_row_ends::anywhere),
+           std::optional<std::endian> order, Row_ends ends)
+      : text_(text), is_text_(!order), has_free_rows_(ends == Row_ends::anywhere),
         binary_(bytes, std::move(file_name), order.value_or(std::endian::little),
                 bytes.size() - text.rest().size())
   {}

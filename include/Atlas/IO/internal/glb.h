@@ -2,6 +2,9 @@
 #ifndef ATLAS_IO_INTERNAL_GLB_H
 #define ATLAS_IO_INTERNAL_GLB_H
 
+#include <Atlas/image/internal/Binary_scanner.h>
+
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,13 +17,12 @@ inline bool is_glb(std::string_view bytes)
   return bytes.starts_with("glTF");
 }
 
-/// Four bytes as a number.
+/// Four bytes as a number; 0 behind the end.
 inline std::size_t glb_number(std::string_view bytes, std::size_t at)
 {
-  std::uint32_t number = 0;
-  for (std::size_t i = 4; at + 4 <= bytes.size() && i-- > 0;)
-    number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
+  return at + 4 <= bytes.size()
+             ? Binary_scanner(bytes, {}, std::endian::little, at).get<std::uint32_t>("a number")
+             : 0;
 }
 
 /// How long a binary glTF file says that it is.

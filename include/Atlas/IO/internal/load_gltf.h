@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tiny_gltf.h>
@@ -31,9 +32,28 @@ inline std::string one_line(std::string text)
   return printable(text);
 }
 
-/// The text of a glTF file in which files are called by the names that they have: see `find_file()`. A binary
-/// file stays as it is. Functions of tinygltf that read files are not exchanged instead, since a program that
-/// links libdraco, too, may get other ones by their names.
+/// The file that a buffer or a picture of a glTF file names, from the folder of that, as a URI; none if it
+/// names none, or one that is not there. See `find_file()`.
+inline std::optional<std::string> found_name(const nlohmann::ordered_json& item,
+                                             const std::filesystem::path& folder)
+{
+  const auto uri = item.is_object() ? item.find("uri") : item.end();
+  if (uri == item.end() || !uri->is_string() || uri->get_ref<const std::string&>().starts_with("data:"))
+    return std::nullopt;
+  const auto found = find_file(folder, uri->get_ref<const std::string&>());
+  if (!found)
+    return std::nullopt;
+  if (reading_listener())
+    (void)read_whole_file(*found); // tinygltf does not tell of what it reads
+  std::string name;
+  for (const char c : found->lexically_relative(folder).generic_string())
+    name += c == '%' ? "%25" : std::string(1, c);
+  return name;
+}
+
+/// The text of a glTF file in which files are called by the names that they have. A binary file stays as it
+/// is. Functions of tinygltf that read files are not exchanged instead, since a program that links libdraco,
+/// too, may get other ones by their names.
 inline std::string with_found_names(std::string bytes, const std::filesystem::path& folder)
 {
   using Json = nlohmann::ordered_json;
@@ -41,23 +61,14 @@ inline std::string with_found_names(std::string bytes, const std::filesystem::pa
   bool is_changed = false;
   for (const char* key : {"buffers", "images"})
     if (json.is_object() && json.contains(key) && json[key].is_array())
-      for (Json& item : json[key]) {
-        const auto* const uri =
-            item.is_object() && item.contains("uri") ? item["uri"].get_ptr<const std::string*>() : nullptr;
-        if (!uri || uri->starts_with("data:"))
-          continue;
-        const auto found = find_file(folder, *uri);
-        if (!found)
-          continue;
-        if (reading_listener())
-          (void)read_whole_file(*found); // tinygltf does not tell of what it reads
-        std::string name;
-        for (const char c : found->lexically_relative(folder).generic_string())
-          name += c == '%' ? "%25" : std::string(1, c);
-        is_changed = is_changed || name != *uri;
-        item["uri"] = name;
-      }
-  return is_changed ? json.dump(-1, ' ', false, Json::error_handler_t::replace) : bytes;
+      for (Json& item : json[key])
+        if (const auto name = found_name(item, folder); name && item["uri"] != *name) {
+          item["uri"] = *name;
+          is_changed = true;
+        }
+  if (is_changed)
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return bytes;
 }
 
 /// Whether a file that cannot be read, or has nothing in it, is one of glTF 1.0.

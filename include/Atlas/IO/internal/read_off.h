@@ -2,6 +2,7 @@
 #ifndef ATLAS_IO_INTERNAL_READ_OFF_H
 #define ATLAS_IO_INTERNAL_READ_OFF_H
 
+#include <Atlas/IO/internal/row_ends.h>
 #include <Atlas/IO/internal/scale_colors.h>
 #include <Atlas/image/internal/Text_scanner.h>
 #include <Atlas/soup/Polygon_soup.h>
@@ -18,22 +19,16 @@
 
 namespace Atlas::internal {
 
-/// Where the rows of an OFF file end.
-enum class Off_row_ends {
-  lines,   ///< each has a line, and may have more values than it must
-  anywhere ///< line ends are blanks, and there are no other values
-};
-
 class Off_reader
 {
 public:
-  Off_reader(std::string_view text, const std::string& file_name, Off_row_ends ends)
+  Off_reader(std::string_view text, const std::string& file_name, Row_ends ends)
       : scanner_(text, file_name, Text_scanner::hash_comments), text_size_(text.size()),
-        has_free_rows_(ends == Off_row_ends::anywhere)
+        has_free_rows_(ends == Row_ends::anywhere)
   {}
 
   /// Whether the beginning has been understood.
-  bool has_word() const { return has_word_; }
+  bool may_have_free_rows() const { return has_word_; }
 
   Polygon_soup read()
   {
@@ -220,20 +215,7 @@ private:
 /// blanks. \throw IO_error naming the line
 inline Polygon_soup read_off(const std::filesystem::path& path)
 {
-  const std::string text = read_text_file(path), name = path.string();
-  Off_reader by_lines(text, name, Off_row_ends::lines);
-  try {
-    return by_lines.read();
-  } catch (const IO_error&) {
-    if (!by_lines.has_word())
-      throw;
-    try {
-      return Off_reader(text, name, Off_row_ends::anywhere).read();
-    } catch (const IO_error&) {
-      // The first reason is the better one.
-    }
-    throw;
-  }
+  return read_with_any_row_ends<Off_reader>(read_text_file(path), path.string());
 }
 
 } // namespace Atlas::internal

@@ -27,12 +27,12 @@ namespace Atlas::internal {
 class Ply_reader
 {
 public:
-  Ply_reader(std::string_view bytes, const std::string& file_name, Ply_row_ends ends)
+  Ply_reader(std::string_view bytes, const std::string& file_name, Row_ends ends)
       : bytes_(bytes), file_name_(file_name), text_(bytes, file_name, Text_scanner::plain), ends_(ends)
   {}
 
   /// Whether the header has been understood, and text follows.
-  bool has_text_rows() const { return has_header_ && !order_; }
+  bool may_have_free_rows() const { return has_header_ && !order_; }
 
   Polygon_soup read()
   {
@@ -344,7 +344,7 @@ private:
   std::string_view bytes_;
   std::string file_name_;
   Text_scanner text_;
-  Ply_row_ends ends_;
+  Row_ends ends_;
   bool has_header_ = false;
   std::optional<std::endian> order_;
   std::vector<Ply_element> elements_;
@@ -366,19 +366,7 @@ inline Polygon_soup read_ply(const std::filesystem::path& path)
   std::string bytes = read_whole_file(path);
   if (std::string_view(bytes).substr(0, bytes.find("end_header")).find("format binary") == std::string::npos)
     bytes = decoded_text(std::move(bytes), name);
-  Ply_reader by_lines(bytes, name, Ply_row_ends::lines);
-  try {
-    return by_lines.read();
-  } catch (const IO_error&) {
-    if (!by_lines.has_text_rows())
-      throw;
-    try {
-      return Ply_reader(bytes, name, Ply_row_ends::anywhere).read();
-    } catch (const IO_error&) {
-      // The first reason is the better one.
-    }
-    throw;
-  }
+  return read_with_any_row_ends<Ply_reader>(bytes, name);
 }
 
 } // namespace Atlas::internal

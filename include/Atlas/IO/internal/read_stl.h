@@ -199,10 +199,9 @@ private:
 /// Whether the size is what binary STL of so many triangles has.
 inline bool has_size_of_binary_stl(std::string_view bytes)
 {
-  std::uint64_t n = 0;
-  for (std::size_t i = 4; bytes.size() >= 84 && i-- > 0;)
-    n = n << 8 | static_cast<unsigned char>(bytes[80 + i]);
-  return bytes.size() >= 84 && bytes.size() == 84 + 50 * n;
+  return bytes.size() >= 84 &&
+         bytes.size() == 84 + 50 * std::uint64_t(Binary_scanner(bytes, {}, std::endian::little, 80)
+                                                     .get<std::uint32_t>("the number of triangles"));
 }
 
 /// Whether the bytes are binary STL: the size tells, since headers of binary files may begin with "solid"

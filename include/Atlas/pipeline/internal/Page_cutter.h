@@ -135,8 +135,7 @@ private:
     std::optional<Cut_charts> cut =
         search.reach(coverage, usual_coverage,
                      {packings_of_trade, retractions_of_trade, most_added, trade_.empty_coverage});
-    const bool is_enough = cut && cut->packed.coverage >= trade_.empty_coverage &&
-                           half_of_borders(cut->flattened) - seam <= most_added;
+    const bool is_enough = cut && half_of_borders(cut->flattened) - seam <= most_added;
     return is_enough ? std::move(cut) : std::nullopt;
   }
 

@@ -64,12 +64,11 @@ public:
   /// Those that a chart may make.
   Vec2 turn(Chart_rotation rotation)
   {
-    if (rotation == Chart_rotation::none)
+    if (rotation == Chart_rotation::none) {
       offer(Vec2{1, 0});
-    return rotation == Chart_rotation::none            ? best_
-           : rotation == Chart_rotation::quarter_turns ? quarter_turn()
-                                                       :
-                                                       operator()();
+      return best_;
+    }
+    return rotation == Chart_rotation::quarter_turns ? quarter_turn() : (*this)();
   }
 
   /// The largest scale, of the turns that have been looked at.

@@ -173,7 +173,7 @@ class Joint_search
 {
 public:
   Joint_search(const Packing_problem& problem, const Search_budget& budget)
-      : problem_(problem), budget_(budget), shapes_(problem.shapes.size())
+      : budget_(budget), shapes_(problem.shapes.size())
   {
     for (unsigned k = 0; k < budget.searches_for(shapes_); ++k)
       searches_.emplace_back(problem, k);
@@ -181,9 +181,9 @@ public:
   }
 
   /// The best layout at a scale of at most `most_scale`; its scale is 0 if there is none.
-  Shape_layout run(double most_scale, const Execution& execution)
+  /// \param enough  scale at which the search ends
+  Shape_layout run(double most_scale, double enough, const Execution& execution)
   {
-    const double enough = enough_scale(most_scale, problem_.most_scale);
     start(execution);
     const unsigned rounds = budget_.rounds_for(shapes_);
     std::vector<double> scales; // before each round
@@ -265,7 +265,6 @@ private:
         search.restart(leader);
   }
 
-  const Packing_problem& problem_;
   Search_budget budget_;
   std::size_t shapes_;
   std::vector<Packing_search> searches_; ///< those that still run first
@@ -291,13 +290,14 @@ inline std::optional<Layout> raster_layout(const Outlines& outlines, const Obsta
       outlines.size() > budget.max_charts || execution.is_cancelled())
     return result;
   const double largest = largest_scale_alone(outlines, page, result->margin);
-  if (result->scale >= enough_scale(page.most_scale, largest))
+  const double enough = enough_scale(page.most_scale, largest);
+  if (result->scale >= enough)
     return result;
   Packing_problem problem = packing_problem(outlines, obstacles, page, *result, budget, execution);
   problem.most_scale = largest;
   if (execution.is_cancelled())
     return result;
-  const Shape_layout found = Joint_search(problem, budget).run(page.most_scale, execution);
+  const Shape_layout found = Joint_search(problem, budget).run(page.most_scale, enough, execution);
   if (found.scale <= result->scale)
     return result;
   result->scale = found.scale;
