@@ -119,11 +119,11 @@ public:
 private:
   /// By which the share of the surface that is stretched too far has to fall for the length of a slit, in
   /// roots of the surface's area.
-  static constexpr double least_rate = 0.02;
+  static constexpr double least_rate = 0.015;
   /// A chart with less stretched area than that share of the surface is good enough.
   static constexpr double least_share = 5e-4;
   /// More slits than that in one chart make a comb.
-  static constexpr int most_opened = 3, most_refused = 1;
+  static constexpr int most_opened = 4, most_refused = 3;
   /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
   static constexpr std::size_t tries = 4;
   static constexpr double triangles_of_copies = 1000;

@@ -67,6 +67,15 @@ inline Any_parameterizer final_parameterizer(Atlas_mode mode)
   return Bijective_parameterizer(optimize_charts(mode), options);
 }
 
+/// Up to where the standard mode opens charts by slits, so that people see no bad spot: the share of what the
+/// bound allows beyond 1.
+inline double wanted_stretch(Atlas_mode mode, const Merge_options& options)
+{
+  constexpr double share = 0.56; // 1.28 of 1.5: less costs more seam than it is worth
+  return mode == Atlas_mode::standard ? 1 + share * (options.max_stretch - 1)
+                                      : Repair_options().wanted_stretch;
+}
+
 } // namespace internal
 
 ATLAS_INLINE Merge_options merge_options(Atlas_mode mode)
@@ -104,7 +113,8 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symm
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),
           Culprit_splitter(quantile),
           Raster_packer(),
-          {}};
+          {.wanted_stretch = symmetry == Symmetry::off ? internal::wanted_stretch(mode, options)
+                                                       : Repair_options().wanted_stretch}};
 }
 
 ATLAS_INLINE Policies paper_preset(Any_validator validator)

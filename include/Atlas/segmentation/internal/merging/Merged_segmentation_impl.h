@@ -51,10 +51,22 @@ public:
     Smoothing_options options;
     options.sharp_discount = sharp_discount_after_merging;
     Segmentation_smoother smoother(band.surface(), band.segmentation(), band.limits(), options);
+    const std::vector<Chart> charts = extract_charts(band.surface(), band.segmentation());
+    std::vector<Trial_verdict> verdicts(charts.size());
+    execution_.for_each(charts.size(), [&](std::size_t c) { verdicts[c] = verdict_on(charts[c]); });
+    // A chart may be beyond the bound on this surface: then it must not get worse.
+    const auto keep = [&](const std::array<Chart, 2>& now, const std::array<Index, 2>& pair) {
+      std::array<Trial_verdict, 2> found;
+      for (std::size_t i = 0; i < 2; ++i)
+        if (found[i] = verdict_on(now[i]); !found[i].is_no_worse_than(verdicts[pair[i]]))
+          return false;
+      for (std::size_t i = 0; i < 2; ++i)
+        verdicts[pair[i]] = found[i];
+      return true;
+    };
     for (const int rings : smoothing_rings)
       if (execution_.proceed(0.9))
-        smoother.run_round(rings, execution_,
-                           [&](const Chart& a, const Chart& b) { return is_kept(a) && is_kept(b); });
+        smoother.run_round(rings, execution_, keep);
     band.write_back(segmentation_);
   }
 
@@ -71,7 +83,7 @@ public:
     std::iota(all.begin(), all.end(), Index(0));
     const auto flatten = [&](Chart chart) {
       Flattened_chart result{std::move(chart), {}, {}};
-      if (!is_kept(result.chart))
+      if (!verdict_on(result.chart).is_acceptable())
         result.verdict.status = Chart_status::area_ratio_exceeded;
       return result;
     };
@@ -84,7 +96,7 @@ public:
   }
 
 private:
-  bool is_kept(const Chart& chart) const { return is_acceptable(chart, area_, options_, flatten_); }
+  Trial_verdict verdict_on(const Chart& chart) const { return examine(chart, area_, options_, flatten_); }
 
   const Surface& surface_;
   Segmentation& segmentation_;

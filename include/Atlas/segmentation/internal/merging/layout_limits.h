@@ -37,24 +37,32 @@ inline double share_of_coarse_triangles(const std::vector<Triangle_distortion>& 
 /// worse places, and a chart that is beyond its bound then has to be cut and flattened anew.
 inline constexpr double stretch_share_for_trials = 0.9;
 
+/// Whether a triangle that has an area is flipped, or flat on the page.
+inline bool has_flips(const Chart& layout)
+{
+  return std::any_of(layout.triangles.begin(), layout.triangles.end(), [&](const auto& triangle) {
+    const auto& [u, v, w] = triangle;
+    return CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&
+           CGAL::squared_area(layout.points[u], layout.points[v], layout.points[w]) > 0;
+  });
+}
+
+/// The share that is used of the distortion beyond 1 that trials may use.
+inline double used_share_of_trials(const Chart& layout, const Merge_options& options, double factor = 1)
+{
+  Distortion_bound bound = bound_of(options);
+  bound.max = 1 + factor * options.share_for_trials * (bound.max - 1);
+  bound.max_stretch =
+      1 + factor * options.share_for_trials * stretch_share_for_trials * (bound.max_stretch - 1);
+  const std::vector<Triangle_distortion> measured = triangle_distortions(layout);
+  bound.stretch_share = std::min(bound.stretch_share, share_of_coarse_triangles(measured, bound));
+  return used_share(measured, bound);
+}
+
 /// Whether the distortion beyond 1 is at most `factor` times what trials may use, and no triangle is flipped.
 inline bool is_within_bound(const Chart& layout, const Merge_options& options, double factor = 1)
 {
-  if (std::isfinite(factor)) {
-    Distortion_bound bound = bound_of(options);
-    bound.max = 1 + factor * options.share_for_trials * (bound.max - 1);
-    bound.max_stretch =
-        1 + factor * options.share_for_trials * stretch_share_for_trials * (bound.max_stretch - 1);
-    const std::vector<Triangle_distortion> measured = triangle_distortions(layout);
-    bound.stretch_share = std::min(bound.stretch_share, share_of_coarse_triangles(measured, bound));
-    if (!(used_share(measured, bound) <= 1))
-      return false;
-  }
-  for (const auto& [u, v, w] : layout.triangles)
-    if (CGAL::orientation(layout.uv[u], layout.uv[v], layout.uv[w]) != CGAL::LEFT_TURN &&
-        CGAL::squared_area(layout.points[u], layout.points[v], layout.points[w]) > 0)
-      return false;
-  return true;
+  return (std::isinf(factor) || used_share_of_trials(layout, options, factor) <= 1) && !has_flips(layout);
 }
 
 /// The share of their hull that two charts fill beside each other.

@@ -14,6 +14,7 @@
 #include <Atlas/segmentation/merge_charts.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,7 @@ inline Chart coarse_copy(const Chart& chart, double triangles)
 /// since it is what several of them have become.
 inline double triangles_of_coarse_copies(const Merge_options& options)
 {
-  constexpr double least = 400, charts_in_one = 6;
+  constexpr double least = 1200, charts_in_one = 6;
   return std::max(least, charts_in_one * options.triangles_per_chart);
 }
 
@@ -64,17 +65,37 @@ inline bool is_border_clear(const Chart& flat, double gap)
   return is_clear(std::move(border), gap);
 }
 
-/// Whether a chart stays within the bounds when it is flattened, as far as a coarse copy of it tells. A
-/// chart that does not get coarse, such as one full of spikes, is refused: this bounds the cost of a trial.
-inline bool is_acceptable(const Chart& chart, double whole_area, const Merge_options& options,
-                          const Trial_flattening& flatten)
+/// How a chart keeps the bounds when it is flattened.
+struct Trial_verdict
+{
+  bool is_flat = false;                                  ///< without flips
+  double used = std::numeric_limits<double>::infinity(); ///< share of the distortion that trials may use
+  double filled = 0;                                     ///< share of the hull, over the least one
+  bool is_clear = false;                                 ///< whether its border keeps off itself
+
+  bool is_acceptable() const { return is_flat && used <= 1 && filled >= 1 && is_clear; }
+
+  /// Whether it keeps every bound that another one keeps, and exceeds none by more.
+  bool is_no_worse_than(const Trial_verdict& other) const
+  {
+    return is_flat && used <= std::max(1., other.used) && filled >= std::min(1., other.filled) &&
+           is_clear >= other.is_clear;
+  }
+};
+
+/// Examines a chart as far as a coarse copy of it tells. One that does not get coarse, such as one full of
+/// spikes, is not flattened: this bounds the cost of a trial.
+inline Trial_verdict examine(const Chart& chart, double whole_area, const Merge_options& options,
+                             const Trial_flattening& flatten)
 {
   Chart coarse = coarse_copy(chart, triangles_of_coarse_copies(options));
   if (coarse.number_of_triangles() > options.max_trial_triangles || flatten(coarse) != Chart_status::valid ||
-      !is_within_bound(coarse, options))
-    return false;
-  return fills_hull(coarse, area_3d(chart) > options.max_area_share * whole_area, options) &&
-         is_border_clear(coarse, options.min_gap);
+      has_flips(coarse))
+    return {};
+  const double least = least_solidity(area_3d(chart) > options.max_area_share * whole_area, options);
+  return {true, used_share_of_trials(coarse, options),
+          least > 0 ? solidity(coarse) / least : std::numeric_limits<double>::infinity(),
+          is_border_clear(coarse, options.min_gap)};
 }
 
 } // namespace Atlas::internal

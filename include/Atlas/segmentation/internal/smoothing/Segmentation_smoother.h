@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -102,8 +103,12 @@ public:
       ++sizes_[c];
   }
 
+  /// Decides on two charts as they would be, and has their numbers. Called from several threads, but never
+  /// for one chart at a time.
+  using Filter = std::function<bool(const std::array<Chart, 2>&, const std::array<Index, 2>&)>;
+
   /// Returns how many borders moved. An empty `keep` keeps every change.
-  std::size_t run_round(int rings, const Execution& execution, const Smoothing_filter& keep)
+  std::size_t run_round(int rings, const Execution& execution, const Filter& keep)
   {
     std::size_t moved = 0, work = work_per_triangle * surface_.number_of_triangles();
     std::vector<Chart_border> borders = borders_of_charts(surface_, segmentation_, limits_);
@@ -130,14 +135,15 @@ private:
 
   /// Per border, the triangles that change sides; none where it stays.
   std::vector<std::vector<Index>> try_changes(const std::vector<Chart_border>& batch, int rings,
-                                              const Execution& execution, const Smoothing_filter& keep)
+                                              const Execution& execution, const Filter& keep)
   {
     std::vector<std::vector<Index>> changes(batch.size());
     execution.for_each(batch.size(), [&](std::size_t i) {
       const auto [a, b] = batch[i].pair;
       Border_smoother smoother(surface_, costs_, limits_, segmentation_.chart, {a, b}, {sizes_[a], sizes_[b]},
                                scratch_, stamp_ + static_cast<Index>(2 * i));
-      if (smoother.run(batch[i].halfedges, rings) && (!keep || keep(smoother.chart(0), smoother.chart(1))))
+      if (smoother.run(batch[i].halfedges, rings) &&
+          (!keep || keep({smoother.chart(0), smoother.chart(1)}, batch[i].pair)))
         changes[i] = smoother.changed();
     });
     stamp_ += static_cast<Index>(2 * batch.size());

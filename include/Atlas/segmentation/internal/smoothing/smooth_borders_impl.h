@@ -31,9 +31,12 @@ ATLAS_INLINE std::size_t smooth_borders(const Surface& surface, Segmentation& se
   internal::require_numbered_segmentation_of(surface, segmentation);
   const internal::Smoothing_limits limits = internal::smoothing_limits(surface, segmentation);
   internal::Segmentation_smoother smoother(surface, segmentation, limits, options);
+  internal::Segmentation_smoother::Filter filter;
+  if (keep)
+    filter = [&](const std::array<Chart, 2>& charts, const auto&) { return keep(charts[0], charts[1]); };
   std::size_t moved = 0;
   for (int round = 0; round < options.rounds; ++round) {
-    moved += smoother.run_round(options.rings, execution, keep);
+    moved += smoother.run_round(options.rings, execution, filter);
     if (!execution.proceed(double(round + 1) / options.rounds))
       break;
   }
