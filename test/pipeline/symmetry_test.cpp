@@ -43,11 +43,11 @@ TEST(symmetry, seams_of_an_atlas_are_mirrored_on_request)
   std::vector<Point_2> uv;
   Page_options page;
   page.stacking = Chart_stacking::copies_and_mirrored;
-  Merge_options loose; // so that charts are whole sides of the body
-  loose.max_stretch = 2.5;
+  Merge_options tight; // so that there are charts on either side of the body
+  tight.max_stretch = 1.15;
   const Atlas_report report = generate_atlas(
       surface, uv,
-      parameters::page_options(page).merge_options(loose).symmetry(Symmetry::x).number_of_threads(1));
+      parameters::page_options(page).merge_options(tight).symmetry(Symmetry::x).number_of_threads(1));
   ASSERT_TRUE(report.is_valid());
   EXPECT_EQ(seams(surface, report.segmentation, 1), seams(surface, report.segmentation, -1));
   EXPECT_GT(report.stacked_charts, 0u);

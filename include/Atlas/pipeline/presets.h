@@ -112,9 +112,8 @@ struct Policies
 ///   before.
 /// - `splitter`: `Culprit_splitter`
 /// - `packer`: `Raster_packer`
-/// - `repair`: the usual; in the standard mode, without symmetry, also slits (`wanted_stretch`), to 0.56 of
-/// what
-///   the bound on stretch allows beyond 1
+/// - `repair`: the usual; in the standard mode, without symmetry and with no wish for few or large charts,
+///   also slits (`wanted_stretch`), to 0.56 of what the bound on stretch allows beyond 1
 ///
 /// \param options   when charts merge
 /// \param symmetry  which planes are sought at which the surface is its own mirror image, so that its charts

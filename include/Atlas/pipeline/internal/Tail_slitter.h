@@ -15,6 +15,8 @@
 #include <Atlas/validation/internal/Chart_ways.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -135,8 +137,28 @@ private:
   struct Slit
   {
     Point_3 start{0, 0, 0}, end{0, 0, 0};
-    double rate = 0;
+    double rate = 0; ///< rounded
   };
+
+  /// In single precision lengths that are equal but for rounding are equal, and so are their sums.
+  static double single(double length) { return static_cast<float>(length); }
+
+  /// Whether two points are at most so far apart, but for rounding.
+  static bool is_within(const Point_3& p, const Point_3& q, double distance)
+  {
+    constexpr double rounding = 1e-6;
+    return CGAL::squared_distance(p, q) <= (1 + rounding) * distance * distance;
+  }
+
+  /// Gains come from layouts, which are not accurate to the last digits: what is about equal, as on symmetric
+  /// shapes, goes by order, at any scale.
+  static double rounded(double rate)
+  {
+    constexpr double steps = 2048;
+    int exponent = 0;
+    const double mantissa = std::frexp(rate, &exponent);
+    return std::isfinite(rate) ? std::ldexp(std::round(steps * mantissa) / steps, exponent) : rate;
+  }
 
   /// What is known of one chart.
   struct Place
@@ -168,20 +190,19 @@ private:
     for (Index v = 0; v < copy.number_of_vertices(); ++v)
       if (graph.is_border(v))
         border.push_back(v);
-    const Chart_ways::Ways ways = graph.from(border, [&](Index h) { return graph.length(h); });
+    const Chart_ways::Ways ways = graph.from(border, [&](Index h) { return single(graph.length(h)); });
     for (const Index v : promising_ends(copy, graph, ways, parts, place.known)) {
       const std::vector<Index> way = graph.way_to(ways, v);
       const double gain = place.stretched * (1 - stretched_with(copy, graph, way) / before);
-      const double rate = gain / ways.cost[v] / std::sqrt(area_);
+      const double rate = rounded(gain / ways.cost[v] / std::sqrt(area_));
       if (rate > place.slit.rate)
         place.slit = {copy.points[graph.tail(way.back())], copy.points[v], rate};
     }
   }
 
   /// Inner vertices apart from each other with much stretched area for their distance from the border.
-  static std::vector<Index> promising_ends(const Chart& chart, const Chart_ways& graph,
-                                           const Chart_ways::Ways& ways, const std::vector<double>& parts,
-                                           const std::vector<Point_3>& known)
+  std::vector<Index> promising_ends(const Chart& chart, const Chart_ways& graph, const Chart_ways::Ways& ways,
+                                    const std::vector<double>& parts, const std::vector<Point_3>& known) const
   {
     std::vector<Index> stretched;
     for (Index t = 0; t < parts.size(); ++t)
@@ -194,10 +215,10 @@ private:
       double sum = 0;
       for (const Index t : stretched)
         for (const Index w : chart.triangles[t])
-          if (CGAL::squared_distance(chart.points[v], chart.points[w]) <= ways.cost[v] * ways.cost[v])
+          if (is_within(chart.points[v], chart.points[w], ways.cost[v]))
             sum += parts[t] / 3;
       if (sum > 0)
-        order.emplace_back(-sum / ways.cost[v], v);
+        order.emplace_back(rounded(-sum / ways.cost[v] / std::sqrt(area_)), v);
     }
     std::sort(order.begin(), order.end());
     constexpr double least_distance = 0.3; // of the longer one of two slits
@@ -206,7 +227,7 @@ private:
       const Index v = entry.second;
       const auto is_near = [&](Index w) {
         const double reach = least_distance * std::max(ways.cost[v], ways.cost[w]);
-        return CGAL::squared_distance(chart.points[v], chart.points[w]) < reach * reach;
+        return is_within(chart.points[v], chart.points[w], reach);
       };
       if (std::none_of(ends.begin(), ends.end(), is_near) &&
           std::find(known.begin(), known.end(), chart.points[v]) == known.end())
@@ -237,9 +258,11 @@ private:
   bool open(Flattened_chart& f, Place& place)
   {
     const Slit slit = place.slit;
+    if (std::getenv("DBG")) std::printf("open rate %.12g start %d end %d stretched %.12g\n", slit.rate, (int)(std::find(f.chart.points.begin(), f.chart.points.end(), slit.start)-f.chart.points.begin()), (int)(std::find(f.chart.points.begin(), f.chart.points.end(), slit.end)-f.chart.points.begin()), place.stretched/area_);
     place.known.push_back(slit.end);
     const Chart_ways graph(f.chart);
     const std::vector<Index> way = way_of(slit, f.chart, graph);
+    if (std::getenv("DBG")) { std::printf(" way"); for (Index h : way) std::printf(" %d", (int)h); std::printf("\n"); }
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
     if (!way.empty()) {
@@ -270,7 +293,7 @@ private:
       return {};
     const Chart_ways::Ways ways = graph.from({end}, [&](Index h) {
       const Index g = of_surface(chart, h);
-      return must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity() : costs_(g).cost;
+      return must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity() : single(costs_(g).cost);
     });
     Index best = no_index;
     double least = std::numeric_limits<double>::infinity();

@@ -31,10 +31,16 @@ inline constexpr unsigned standard_tail_exponent = 4;
 /// The share of a page that charts cover as a rule.
 inline constexpr double usual_packing_efficiency = 0.6;
 
+/// Whether charts may exceed their bound, for there shall be few or large ones.
+inline bool has_wishes(const Merge_options& options)
+{
+  return options.max_charts > 0 || options.min_chart_area > 0;
+}
+
 /// The bound on densities that goes with options for merging; infinite where wishes go before.
 inline double max_density_ratio(const Merge_options& options)
 {
-  if (options.max_charts > 0 || options.min_chart_area > 0)
+  if (has_wishes(options))
     return std::numeric_limits<double>::infinity();
   const bool is_bounded = options.measure == Distortion_measure::area_ratio ||
                           options.measure == Distortion_measure::area_ratio_quantiles;
@@ -44,7 +50,7 @@ inline double max_density_ratio(const Merge_options& options)
 /// The bound that charts are split for; none where wishes go before.
 inline Distortion_bound kept_bound(const Merge_options& options)
 {
-  return options.max_charts > 0 || options.min_chart_area > 0 ? Distortion_bound() : bound_of(options);
+  return has_wishes(options) ? Distortion_bound() : bound_of(options);
 }
 
 /// Who tells how well nets fill a page: that nets are compared takes one first layout of good size.
@@ -67,13 +73,15 @@ inline Any_parameterizer final_parameterizer(Atlas_mode mode)
   return Bijective_parameterizer(optimize_charts(mode), options);
 }
 
-/// Up to where the standard mode opens charts by slits, so that people see no bad spot: the share of what the
-/// bound allows beyond 1.
-inline double wanted_stretch(Atlas_mode mode, const Merge_options& options)
+/// In the standard mode charts are opened by slits, so that people see no bad spot, to a share of what the
+/// bound allows beyond 1. Not so where charts may exceed their bound, nor where seams shall be mirrored.
+inline Repair_options repair_options(Atlas_mode mode, const Merge_options& options, Symmetry symmetry)
 {
   constexpr double share = 0.56; // 1.28 of 1.5: less costs more seam than it is worth
-  return mode == Atlas_mode::standard ? 1 + share * (options.max_stretch - 1)
-                                      : Repair_options().wanted_stretch;
+  Repair_options result;
+  if (mode == Atlas_mode::standard && symmetry == Symmetry::off && !has_wishes(options))
+    result.wanted_stretch = 1 + share * (options.max_stretch - 1);
+  return result;
 }
 
 } // namespace internal
@@ -113,8 +121,7 @@ ATLAS_INLINE Policies preset(Atlas_mode mode, const Merge_options& options, Symm
           Exact_validator(internal::max_density_ratio(options), quantile, internal::kept_bound(options)),
           Culprit_splitter(quantile),
           Raster_packer(),
-          {.wanted_stretch = symmetry == Symmetry::off ? internal::wanted_stretch(mode, options)
-                                                       : Repair_options().wanted_stretch}};
+          internal::repair_options(mode, options, symmetry)};
 }
 
 ATLAS_INLINE Policies paper_preset(Any_validator validator)

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,14 +52,18 @@ public:
     Smoothing_options options;
     options.sharp_discount = sharp_discount_after_merging;
     Segmentation_smoother smoother(band.surface(), band.segmentation(), band.limits(), options);
-    const std::vector<Chart> charts = extract_charts(band.surface(), band.segmentation());
-    std::vector<Trial_verdict> verdicts(charts.size());
-    execution_.for_each(charts.size(), [&](std::size_t c) { verdicts[c] = verdict_on(charts[c]); });
     // A chart may be beyond the bound on this surface: then it must not get worse.
+    const std::vector<Chart> before = extract_charts(band.surface(), band.segmentation());
+    std::vector<std::optional<Trial_verdict>> verdicts(before.size());
+    const auto is_kept = [&](const Trial_verdict& now, Index c) {
+      if (!now.is_acceptable() && !verdicts[c])
+        verdicts[c] = verdict_on(before[c]);
+      return now.is_acceptable() || now.is_no_worse_than(*verdicts[c]);
+    };
     const auto keep = [&](const std::array<Chart, 2>& now, const std::array<Index, 2>& pair) {
       std::array<Trial_verdict, 2> found;
       for (std::size_t i = 0; i < 2; ++i)
-        if (found[i] = verdict_on(now[i]); !found[i].is_no_worse_than(verdicts[pair[i]]))
+        if (found[i] = verdict_on(now[i]); !is_kept(found[i], pair[i]))
           return false;
       for (std::size_t i = 0; i < 2; ++i)
         verdicts[pair[i]] = found[i];

@@ -72,14 +72,23 @@ struct Trial_verdict
   double used = std::numeric_limits<double>::infinity(); ///< share of the distortion that trials may use
   double filled = 0;                                     ///< share of the hull, over the least one
   bool is_clear = false;                                 ///< whether its border keeps off itself
+  double area = 0;                                       ///< in space
 
   bool is_acceptable() const { return is_flat && used <= 1 && filled >= 1 && is_clear; }
 
-  /// Whether it keeps every bound that another one keeps, and exceeds none by more.
+  /// Whether it keeps every bound that another one keeps, and exceeds none by more but for rounding.
   bool is_no_worse_than(const Trial_verdict& other) const
   {
-    return is_flat && used <= std::max(1., other.used) && filled >= std::min(1., other.filled) &&
+    constexpr double rounding = 1e-6;
+    return is_flat && used <= (1 + rounding) * std::max(1., other.used) && fills_like(other, rounding) &&
            is_clear >= other.is_clear;
+  }
+
+private:
+  /// A chart that fills too little of its hull may be one that is too large: it must not grow.
+  bool fills_like(const Trial_verdict& other, double rounding) const
+  {
+    return filled >= 1 || (filled >= (1 - rounding) * other.filled && area <= (1 + rounding) * other.area);
   }
 };
 
@@ -92,10 +101,11 @@ inline Trial_verdict examine(const Chart& chart, double whole_area, const Merge_
   if (coarse.number_of_triangles() > options.max_trial_triangles || flatten(coarse) != Chart_status::valid ||
       has_flips(coarse))
     return {};
-  const double least = least_solidity(area_3d(chart) > options.max_area_share * whole_area, options);
+  const double area = area_3d(chart);
+  const double least = least_solidity(area > options.max_area_share * whole_area, options);
   return {true, used_share_of_trials(coarse, options),
           least > 0 ? solidity(coarse) / least : std::numeric_limits<double>::infinity(),
-          is_border_clear(coarse, options.min_gap)};
+          is_border_clear(coarse, options.min_gap), area};
 }
 
 } // namespace Atlas::internal

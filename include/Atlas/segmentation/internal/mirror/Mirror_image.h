@@ -150,7 +150,7 @@ private:
     for (const Index t : global)
       segmentation.chart.push_back(result_.chart[t]);
     Smoothing_options options;
-    options.rings = 1;
+    options.rings = options.rounds = 1; // an image stays about where it is
     smooth_borders(part, segmentation, options, execution_);
     for (Index t = 0; t < global.size(); ++t)
       result_.chart[global[t]] = segmentation.chart[t];
