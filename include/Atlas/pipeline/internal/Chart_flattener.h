@@ -11,6 +11,7 @@
 #include <Atlas/parameterization/Fixed_border_parameterizer.h>
 #include <Atlas/pipeline/Atlas_report.h>
 #include <Atlas/pipeline/internal/Chart_slitter.h>
+#include <Atlas/pipeline/internal/Cut_zipper.h>
 #include <Atlas/pipeline/internal/Tail_slitter.h>
 #include <Atlas/pipeline/internal/close_cuts.h>
 #include <Atlas/pipeline/internal/joined_charts.h>
@@ -264,6 +265,7 @@ private:
         execution_.is_cancelled())
       return;
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
+    Cut_zipper(surface_, segmentation_, policies_.repair.wanted_stretch, flatten, execution_).run(charts_);
     const auto lay_flat = [this](Chart& chart) {
       Flattening_record record;
       const Chart_status status = policies_.parameterizer.parameterize(chart, execution_, record);
