@@ -121,7 +121,7 @@ public:
 private:
   /// By which the share of the surface that is stretched too far has to fall for the length of a slit, in
   /// roots of the surface's area.
-  static constexpr double least_rate = 0.015;
+  static constexpr double least_rate = 0.01;
   /// A chart with less stretched area than that share of the surface is good enough.
   static constexpr double least_share = 5e-4;
   /// More slits than that in one chart make a comb.
