@@ -204,6 +204,54 @@ TEST(DistortionBounds, ShortSlitsLowerTheTailOfTheWholeSurface)
   EXPECT_LT(seam_after, 1.2 * seam_before);
 }
 
+/// One chart, cut along the line y = 1/2 from x = 0 to the middle of the unit square.
+struct Half_cut
+{
+  Segmentation segment(const Surface& surface, const Execution&) const
+  {
+    Segmentation result;
+    result.chart.assign(surface.number_of_triangles(), 0);
+    result.cut.assign(surface.opposite.size(), 0);
+    result.number_of_charts = 1;
+    const auto is_on_line = [](const Point_3& p) {
+      return std::abs(p.y() - 0.5) < 1e-9 && p.x() < 0.5 + 1e-9;
+    };
+    for (Index h = 0; h < result.cut.size(); ++h)
+      result.cut[h] = surface.opposite[h] != no_index && is_on_line(surface.point(h)) &&
+                      is_on_line(surface.point(next_halfedge(h)));
+    return result;
+  }
+  Distortion_bound bound() const { return internal::bound_of(Merge_options()); }
+};
+
+TEST(DistortionBounds, CutsThatNobodyNeedsAreZipped)
+{
+  const auto seam_of = [](double height, double radius, bool is_wanted) {
+    const Soup sheet = grid(24, 24, [&](double x, double y) {
+      const double r = std::hypot(x - 0.5, y - 0.5) / radius;
+      return Point_3(x, y, r < 1 ? height * (1 - r) : 0);
+    });
+    Surface surface = surface_of(sheet);
+    const Segmentation cut = Half_cut().segment(surface, Execution(1));
+    if (is_wanted) {
+      surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
+      for (Index h = 0; h < cut.cut.size(); ++h)
+        if (cut.cut[h])
+          surface.constraint[h] = Edge_constraint::seam;
+    }
+    Policies policies = preset();
+    policies.segmentation = Half_cut();
+    std::vector<Point_2> uv;
+    const Atlas_report report = generate_atlas(surface, uv, parameters::policies(policies));
+    EXPECT_TRUE(report.is_valid());
+    EXPECT_EQ(report.charts.size(), 1u);
+    return report.seam_length;
+  };
+  EXPECT_EQ(seam_of(0.05, 2, false), 0) << "a cut over a nearly flat sheet";
+  EXPECT_GT(seam_of(0.05, 2, true), 0.5) << "one that is wanted";
+  EXPECT_GT(seam_of(0.8, 0.5, false), 0.5) << "one that opens a cone";
+}
+
 TEST(DistortionBounds, ChartsThatBeginBeyondTheBoundAreSplit)
 {
   Soup open = sphere(4);
