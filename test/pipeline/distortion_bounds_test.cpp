@@ -3,6 +3,7 @@
 #include <Atlas/core/extract_charts.h>
 #include <Atlas/generate_atlas.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/pipeline/internal/Cut_zipper.h>
 #include <Atlas/segmentation/Patch_segmentation.h>
 #include <Atlas/validation/Culprit_splitter.h>
 #include <Atlas/validation/Exact_validator.h>
@@ -204,52 +205,44 @@ TEST(DistortionBounds, ShortSlitsLowerTheTailOfTheWholeSurface)
   EXPECT_LT(seam_after, 1.2 * seam_before);
 }
 
-/// One chart, cut along the line y = 1/2 from x = 0 to the middle of the unit square.
-struct Half_cut
+/// The edges of cuts that are left when those of one chart are zipped: a sheet of 24 x 24 cells with a cone
+/// of the given height on it, cut from the border to the tip.
+std::size_t cuts_left(double height, Edge_constraint constraint)
 {
-  Segmentation segment(const Surface& surface, const Execution&) const
-  {
-    Segmentation result;
-    result.chart.assign(surface.number_of_triangles(), 0);
-    result.cut.assign(surface.opposite.size(), 0);
-    result.number_of_charts = 1;
-    const auto is_on_line = [](const Point_3& p) {
-      return std::abs(p.y() - 0.5) < 1e-9 && p.x() < 0.5 + 1e-9;
-    };
-    for (Index h = 0; h < result.cut.size(); ++h)
-      result.cut[h] = surface.opposite[h] != no_index && is_on_line(surface.point(h)) &&
-                      is_on_line(surface.point(next_halfedge(h)));
+  Surface surface = surface_of(grid(24, 24, [&](double x, double y) {
+    return Point_3(x, y, height * std::max(0., 1 - 2 * std::hypot(x - 0.5, y - 0.5)));
+  }));
+  surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
+  Segmentation segmentation;
+  segmentation.chart.assign(surface.number_of_triangles(), 0);
+  segmentation.cut.assign(surface.opposite.size(), 0);
+  segmentation.number_of_charts = 1;
+  const auto is_on_cut = [&](Index h) {
+    const Point_3& p = surface.point(h);
+    return std::abs(p.y() - 0.5) < 1e-9 && p.x() < 0.5 + 1e-9;
+  };
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (surface.opposite[h] != no_index && is_on_cut(h) && is_on_cut(next_halfedge(h))) {
+      segmentation.cut[h] = 1;
+      surface.constraint[h] = constraint;
+    }
+  const auto flatten = [](Chart chart) {
+    internal::Flattened_chart result{std::move(chart), {}, {}, {}};
+    result.verdict.status = preset().parameterizer.parameterize(result.chart, Execution(1), result.record);
     return result;
-  }
-  Distortion_bound bound() const { return internal::bound_of(Merge_options()); }
-};
+  };
+  std::vector<internal::Flattened_chart> charts{flatten(extract_charts(surface, segmentation).front())};
+  internal::Cut_zipper(surface, segmentation, 1.28, flatten, Execution(1)).run(charts);
+  EXPECT_TRUE(charts[0].verdict.is_valid());
+  EXPECT_EQ(charts[0].chart.points, extract_charts(surface, segmentation).front().points);
+  return static_cast<std::size_t>(std::count(segmentation.cut.begin(), segmentation.cut.end(), 1)) / 2;
+}
 
 TEST(DistortionBounds, CutsThatNobodyNeedsAreZipped)
 {
-  const auto seam_of = [](double height, double radius, bool is_wanted) {
-    const Soup sheet = grid(24, 24, [&](double x, double y) {
-      const double r = std::hypot(x - 0.5, y - 0.5) / radius;
-      return Point_3(x, y, r < 1 ? height * (1 - r) : 0);
-    });
-    Surface surface = surface_of(sheet);
-    const Segmentation cut = Half_cut().segment(surface, Execution(1));
-    if (is_wanted) {
-      surface.constraint.assign(surface.opposite.size(), Edge_constraint::none);
-      for (Index h = 0; h < cut.cut.size(); ++h)
-        if (cut.cut[h])
-          surface.constraint[h] = Edge_constraint::seam;
-    }
-    Policies policies = preset();
-    policies.segmentation = Half_cut();
-    std::vector<Point_2> uv;
-    const Atlas_report report = generate_atlas(surface, uv, parameters::policies(policies));
-    EXPECT_TRUE(report.is_valid());
-    EXPECT_EQ(report.charts.size(), 1u);
-    return report.seam_length;
-  };
-  EXPECT_EQ(seam_of(0.05, 2, false), 0) << "a cut over a nearly flat sheet";
-  EXPECT_GT(seam_of(0.05, 2, true), 0.5) << "one that is wanted";
-  EXPECT_GT(seam_of(0.8, 0.5, false), 0.5) << "one that opens a cone";
+  EXPECT_EQ(cuts_left(0.05, Edge_constraint::none), 0u) << "over a nearly flat sheet";
+  EXPECT_EQ(cuts_left(0.05, Edge_constraint::seam), 12u) << "a seam that is wanted";
+  EXPECT_GT(cuts_left(0.8, Edge_constraint::none), 6u) << "one that opens a cone";
 }
 
 TEST(DistortionBounds, ChartsThatBeginBeyondTheBoundAreSplit)
