@@ -80,7 +80,8 @@ struct Repair_options
   bool optimize_accepted = false;
   /// Charts are opened by short slits where more of the whole surface than the bound on stretch leaves out
   /// would be stretched farther than this, and a slit is worth its length: greater than 1; infinity: never.
-  /// Only where the segmentation has such a bound, and mirrored charts do not stay mirrored.
+  /// Before that, cuts that end inside a chart are zipped where hardly more is stretched farther without
+  /// them. Only where the segmentation has such a bound, and mirrored charts do not stay mirrored.
   double wanted_stretch = std::numeric_limits<double>::infinity();
 
   /// The paper's: only splitting.
@@ -113,7 +114,7 @@ struct Policies
 /// - `splitter`: `Culprit_splitter`
 /// - `packer`: `Raster_packer`
 /// - `repair`: the usual; in the standard mode, without symmetry and with no wish for few or large charts,
-///   also slits (`wanted_stretch`), to 0.56 of what the bound on stretch allows beyond 1
+///   also zips and slits (`wanted_stretch`), to 0.56 of what the bound on stretch allows beyond 1
 ///
 /// \param options   when charts merge
 /// \param symmetry  which planes are sought at which the surface is its own mirror image, so that its charts

@@ -15,8 +15,6 @@
 #include <Atlas/validation/internal/Chart_ways.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -258,11 +256,9 @@ private:
   bool open(Flattened_chart& f, Place& place)
   {
     const Slit slit = place.slit;
-    if (std::getenv("DBG")) std::printf("open rate %.12g start %d end %d stretched %.12g\n", slit.rate, (int)(std::find(f.chart.points.begin(), f.chart.points.end(), slit.start)-f.chart.points.begin()), (int)(std::find(f.chart.points.begin(), f.chart.points.end(), slit.end)-f.chart.points.begin()), place.stretched/area_);
     place.known.push_back(slit.end);
     const Chart_ways graph(f.chart);
     const std::vector<Index> way = way_of(slit, f.chart, graph);
-    if (std::getenv("DBG")) { std::printf(" way"); for (Index h : way) std::printf(" %d", (int)h); std::printf("\n"); }
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
     if (!way.empty()) {
