@@ -3,6 +3,7 @@
 #include <Atlas/packing/Page_packer.h>
 #include <Atlas/packing/Raster_packer.h>
 #include <Atlas/packing/internal/pages/single_layout.h>
+#include <Atlas/packing/internal/raster/Raster_page.h>
 #include <Atlas/packing/pack_charts.h>
 
 #include "short_raster_packer.h"
@@ -28,6 +29,68 @@ void expect_clear(const std::vector<Chart>& charts, const Packing& packing, cons
   const Packing_clearance clearance = packing_clearance(charts, packing, page, gutter);
   EXPECT_GE(clearance.charts, gutter);
   EXPECT_GE(clearance.border, gutter / 2);
+}
+
+/// From 0 to n - 1.
+Index pick(std::mt19937& random, Index n)
+{
+  return static_cast<Index>(random() % n);
+}
+
+/// A mask of one run in each row, with a ring of which nothing counts.
+internal::Raster_mask random_mask(std::mt19937& random)
+{
+  internal::Raster_mask mask;
+  mask.width = 1 + pick(random, 30);
+  mask.height = 1 + pick(random, 9);
+  for (Index row = 0; row < mask.height; ++row) {
+    const Index begin = pick(random, mask.width);
+    mask.runs.push_back({row, begin, begin + 1 + pick(random, mask.width - begin)});
+  }
+  mask.ring.assign((mask.height + 2 * mask.ring_width) * mask.ring_words(), 0);
+  return mask;
+}
+
+/// The first place of the mask from below and from the left, pixel by pixel; x beyond the page if there is
+/// none.
+std::array<Index, 2> first_place(const std::vector<std::vector<bool>>& is_free,
+                                 const internal::Raster_mask& mask)
+{
+  const Index rows = static_cast<Index>(is_free.size()), columns = static_cast<Index>(is_free[0].size());
+  for (Index y = 0; y + mask.height <= rows; ++y)
+    for (Index x = 0; x + mask.width <= columns; ++x)
+      if (std::all_of(mask.runs.begin(), mask.runs.end(), [&](const auto& run) {
+            const auto row = is_free[y + run.row].begin() + x;
+            return std::all_of(row + run.begin, row + run.end, [](bool b) { return b; });
+          }))
+        return {x, y};
+  return {columns, rows};
+}
+
+TEST(Raster_page, finds_what_a_search_by_pixels_finds)
+{
+  std::mt19937 random(7);
+  for (const Index columns : {40, 60, 61, 100, 124, 125, 170, 188, 189, 230, 252, 253, 300})
+    for (int k = 0; k < 60; ++k) {
+      const Index rows = 12;
+      internal::Raster_page page(columns, rows);
+      std::vector<std::vector<bool>> is_free(rows, std::vector<bool>(columns, true));
+      for (int i = 0; i < 3 * k; ++i) {
+        const Index x = pick(random, columns), y = pick(random, rows);
+        page.put_pixel(x, y);
+        is_free[y][x] = false;
+      }
+      page.update();
+      const internal::Raster_mask mask = random_mask(random);
+      std::uint64_t work = 0;
+      const auto found = page.search(mask, 0, rows, -1, work);
+      const auto [x, y] = first_place(is_free, mask);
+      ASSERT_EQ(found.has_value(), x < columns);
+      if (found) {
+        EXPECT_EQ(found->x, x + internal::Raster_page::border);
+        EXPECT_EQ(found->y, y + internal::Raster_page::border);
+      }
+    }
 }
 
 /// By trying very many turns.

@@ -99,4 +99,48 @@ TEST(Dense_update, subtracts_the_outer_product)
   check_dense_update<Complex>();
 }
 
+#ifdef ATLAS_HAS_AVX2_KERNELS
+/// The kernels on the first `width` columns of a random matrix, against Eigen's.
+void check_panel(int width, int height)
+{
+  const int n = width + height;
+  const Eigen::MatrixXd random = Eigen::MatrixXd::Random(n, n),
+                        matrix = random * random.transpose() + Eigen::MatrixXd::Identity(n, n),
+                        factor = matrix.llt().matrixL();
+  const Eigen::MatrixXd top = factor.topLeftCorner(width, width),
+                        bottom = factor.bottomLeftCorner(height, width);
+  Eigen::MatrixXd panel = matrix.leftCols(width), update = matrix.bottomRightCorner(height, height);
+  ASSERT_TRUE(internal::avx2::factorize(panel.data(), n, n, width));
+  internal::avx2::subtract_outer(update.data(), height, panel.data() + width, n, height, height, width);
+  const auto lower = [](Eigen::MatrixXd x) { return Eigen::MatrixXd(x.triangularView<Eigen::Lower>()); };
+  EXPECT_LT((lower(panel) - factor.leftCols(width)).cwiseAbs().sum(), 1e-9);
+  EXPECT_LT(
+      lower(update - matrix.bottomRightCorner(height, height) + bottom * bottom.transpose()).cwiseAbs().sum(),
+      1e-9);
+
+  const Eigen::VectorXd right = Eigen::VectorXd::Random(width), below = Eigen::VectorXd::Random(height);
+  Eigen::VectorXd x = right, y = right, product(height);
+  internal::avx2::solve_lower(panel.data(), n, width, x.data());
+  EXPECT_LT((top * x - right).cwiseAbs().sum(), 1e-9);
+  internal::avx2::multiply(panel.data() + width, n, height, width, x.data(), product.data());
+  EXPECT_LT((bottom * x - product).cwiseAbs().sum(), 1e-9);
+  internal::avx2::solve_upper(panel.data(), n, height, width, below.data(), y.data());
+  EXPECT_LT((top.transpose() * y + bottom.transpose() * below - right).cwiseAbs().sum(), 1e-9);
+
+  panel = matrix.leftCols(width);
+  panel(width - 1, width - 1) = -1;
+  EXPECT_FALSE(internal::avx2::factorize(panel.data(), n, n, width));
+}
+
+TEST(Real_panels, are_factorized_and_solved_at_any_size)
+{
+  if (!internal::has_avx2())
+    GTEST_SKIP() << "this processor has no AVX2";
+  for (int width = 1; width < 18; ++width)
+    for (int height = 0; height < 30; ++height)
+      check_panel(width, height);
+  check_panel(48, 47);
+}
+#endif
+
 } // namespace

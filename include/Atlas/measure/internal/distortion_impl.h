@@ -75,6 +75,12 @@ inline void summarize_areas(std::vector<std::pair<double, double>> ratios, Disto
   d.area_p99 = quantile(0.99);
 }
 
+/// Of a triangle with these singular values, 1 for an isometry.
+inline double symmetric_dirichlet(double s1, double s2)
+{
+  return (s1 * s1 + s2 * s2 + 1 / (s1 * s1) + 1 / (s2 * s2)) / 4;
+}
+
 /// How many triangles can be measured, and their areas.
 inline Distortion sums_of_areas(std::span<const Triangle_distortion> measured)
 {
@@ -101,11 +107,15 @@ ATLAS_INLINE double stretch_quantile(std::span<const Triangle_distortion> measur
   for (const Triangle_distortion& t : measured)
     if (t.is_measurable())
       stretch.emplace_back(std::max(g * t.largest, 1 / (g * t.smallest)), t.area_3d);
-  std::sort(stretch.begin(), stretch.end());
+  // From the largest on; only the few that are left out have to be in order.
+  std::make_heap(stretch.begin(), stretch.end());
   double rest = (1 - share + rounding) * areas.area_3d;
-  for (; !stretch.empty() && stretch.back().second <= rest && share < 1; stretch.pop_back())
-    rest -= stretch.back().second;
-  return stretch.empty() ? 1 : std::max(1.0, stretch.back().first);
+  while (!stretch.empty() && stretch.front().second <= rest && share < 1) {
+    rest -= stretch.front().second;
+    std::pop_heap(stretch.begin(), stretch.end());
+    stretch.pop_back();
+  }
+  return stretch.empty() ? 1 : std::max(1.0, stretch.front().first);
 }
 
 ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion> measured)
@@ -123,8 +133,7 @@ ATLAS_INLINE Distortion summarize_distortion(std::span<const Triangle_distortion
     if (!t.is_measurable())
       continue;
     const double w = t.area_3d / d.area_3d, s1 = g * t.largest, s2 = g * t.smallest;
-    const double r = t.area_uv / t.area_3d / g2,
-                 energy = (s1 * s1 + s2 * s2 + 1 / (s1 * s1) + 1 / (s2 * s2)) / 4;
+    const double r = t.area_uv / t.area_3d / g2, energy = internal::symmetric_dirichlet(s1, s2);
     l2 += w * (s1 * s1 + s2 * s2) / 2;
     qc += w * s1 / s2;
     angle += w * (2 * std::atan(s1 / s2) * 180 / CGAL_PI - 90);
@@ -234,6 +243,24 @@ ATLAS_INLINE double value(const Distortion& d, Distortion_measure measure)
   return std::numeric_limits<double>::infinity();
 }
 
+namespace internal {
+
+/// The same as `summarize_distortion()` finds, without what takes longer.
+inline double symmetric_dirichlet_mean(std::span<const Triangle_distortion> measured)
+{
+  const Distortion areas = sums_of_areas(measured);
+  if (areas.triangles == 0)
+    return std::numeric_limits<double>::infinity();
+  const double g = std::sqrt(areas.area_uv / areas.area_3d);
+  double sum = 0;
+  for (const Triangle_distortion& t : measured)
+    if (t.is_measurable())
+      sum += t.area_3d / areas.area_3d * symmetric_dirichlet(g * t.largest, g * t.smallest);
+  return sum;
+}
+
+} // namespace internal
+
 ATLAS_INLINE double used_share(std::span<const Triangle_distortion> measured, const Distortion_bound& bound)
 {
   const auto share = [](double figure, double max) {
@@ -243,7 +270,10 @@ ATLAS_INLINE double used_share(std::span<const Triangle_distortion> measured, co
   };
   double result = 0;
   if (std::isfinite(bound.max))
-    result = share(value(summarize_distortion(measured), bound.measure), bound.max);
+    result = share(bound.measure == Distortion_measure::symmetric_dirichlet
+                       ? internal::symmetric_dirichlet_mean(measured)
+                       : value(summarize_distortion(measured), bound.measure),
+                   bound.max);
   if (std::isfinite(bound.max_stretch))
     result = std::max(result, share(stretch_quantile(measured, bound.stretch_share), bound.max_stretch));
   return result;

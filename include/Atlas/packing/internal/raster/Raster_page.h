@@ -3,6 +3,7 @@
 #define ATLAS_PACKING_INTERNAL_RASTER_RASTER_PAGE_H
 
 #include <Atlas/core/Kernel.h>
+#include <Atlas/core/internal/avx2.h>
 #include <Atlas/packing/internal/shapes/Outline.h>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ public:
     levels_ = 1;
     while ((Index(1) << levels_) <= columns_)
       ++levels_;
-    windows_.assign(levels_, std::vector<std::uint64_t>(std::size_t(rows_) * stride_));
+    windows_.assign(levels_, std::vector<std::uint64_t>(std::size_t(rows_) * stride_ + most_read_beyond));
     clear();
   }
 
@@ -140,6 +141,8 @@ private:
   /// Rows of so many words are searched without loops over words; zeros follow them, so that shifts need not
   /// heed their end.
   static constexpr Index most_narrow_words = 4;
+  /// Narrow rows are read four words at a time; what is behind their end is not used.
+  static constexpr Index most_read_beyond = 3;
 
   std::uint64_t* row(Index level, Index y) { return windows_[level].data() + std::size_t(y) * stride_; }
   const std::uint64_t* row(Index level, Index y) const
@@ -230,6 +233,10 @@ private:
   template <Index Words>
   void collide_narrow(const Raster_mask& mask, Index y, std::uint64_t* result, std::uint64_t& work) const
   {
+#ifdef ATLAS_HAS_AVX2_KERNELS
+    if (Words > 1 && has_avx2())
+      return collide_four_words<Words>(mask, y, result, work);
+#endif
     std::uint64_t hit[Words];
     std::copy(result, result + Words, hit);
     const auto add = [&](const std::uint64_t* from, Index shift) {
@@ -251,6 +258,43 @@ private:
     }
     std::copy(hit, hit + Words, result);
   }
+
+#ifdef ATLAS_HAS_AVX2_KERNELS
+  /// The same, all words at a time.
+  template <Index Words>
+  __attribute__((target("avx2"))) void collide_four_words(const Raster_mask& mask, Index y,
+                                                          std::uint64_t* result, std::uint64_t& work) const
+  {
+    const __m256i all = _mm256_set1_epi64x(-1);
+    std::uint64_t words[4];
+    std::fill(std::copy(result, result + Words, words), words + 4, ~std::uint64_t(0));
+    __m256i hit = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(words));
+    std::size_t i = 0;
+    for (bool is_full = false; i < mask.runs.size() && !is_full; ++i) {
+      const auto& run = mask.runs[i];
+      const Index level = static_cast<Index>(std::bit_width(run.end - run.begin) - 1);
+      const std::uint64_t* from = row(level, y + run.row);
+      hit = _mm256_or_si256(hit, shifted(from, run.begin));
+      if (run.end - run.begin > Index(1) << level)
+        hit = _mm256_or_si256(hit, shifted(from, run.end - (Index(1) << level)));
+      is_full = i % 4 == 3 && _mm256_testc_si256(hit, all);
+    }
+    work += 2 * Words * i;
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(words), hit);
+    std::copy(words, words + Words, result);
+  }
+
+  /// Four words from a bit on.
+  __attribute__((target("avx2"))) static __m256i shifted(const std::uint64_t* from, Index shift)
+  {
+    const int bits = static_cast<int>(shift % 64);
+    from += shift / 64;
+    const __m256i low = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)),
+                  high = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + 1));
+    return _mm256_or_si256(_mm256_srl_epi64(low, _mm_cvtsi32_si128(bits)),
+                           _mm256_sll_epi64(high, _mm_cvtsi32_si128(64 - bits)));
+  }
+#endif
 
   /// Looks at the corners of the free space in row `y`; tells whether the row has a free place.
   bool examine(const Raster_mask& mask, Index y, Place& best, std::uint64_t& work) const

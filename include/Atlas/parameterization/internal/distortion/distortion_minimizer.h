@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,7 @@ class Distortion_minimizer
 public:
   Distortion_minimizer(const Chart_geometry& geometry, std::vector<Complex> u, const Energy& energy)
       : function_(energy), geometry_(geometry), chart_(geometry.chart()),
-        rest_(rest_triangles(geometry, least_optimized_height)), checker_(chart_), system_(chart_),
+        rest_(rest_triangles(geometry, least_optimized_height)), checker_(chart_),
         barrier_(geometry, checker_.borders()), u_(std::move(u)), gradient_(u_.size()),
         is_fixed_(u_.size(), 0)
   {
@@ -228,25 +229,27 @@ private:
   bool newton_direction(std::vector<Complex>& direction)
   {
     assemble();
-    system_.regularize(regularization);
+    system_->regularize(regularization);
     direction.resize(u_.size());
     for (std::size_t v = 0; v < u_.size(); ++v)
       direction[v] = -gradient_[v];
-    return system_.solve(direction);
+    return system_->solve(direction);
   }
 
   void assemble()
   {
-    system_.set_zero();
+    if (!system_) // many a chart needs no step
+      system_.emplace(chart_);
+    system_->set_zero();
     std::fill(gradient_.begin(), gradient_.end(), Complex(0));
     for (Index t = 0; t < rest_.size(); ++t)
       assemble(t);
     for (const auto& pulled : pulled_) {
       gradient_[pulled.first] += 2 * stiffness_ * (u_[pulled.first] - pulled.second);
-      system_.add(pulled.first, {2 * stiffness_, 0, 0, 2 * stiffness_});
+      system_->add(pulled.first, {2 * stiffness_, 0, 0, 2 * stiffness_});
     }
     if (is_guarded_)
-      barrier_.add(checker_.tree(), u_, gradient_, system_);
+      barrier_.add(checker_.tree(), u_, gradient_, *system_);
   }
 
   /// In the frames turned by the arguments of f and g the energy changes with the lengths r and s (coupled)
@@ -277,8 +280,8 @@ private:
       gradient_[corner[j]] += rest.area * (d.dr * of_f + d.ds * of_g);
     }
     for (int j = 0; j < 3; ++j) {
-      system_.add(corner[j], product(form[j], form[j]));
-      system_.add(t, j, product(form[j], form[(j + 1) % 3]));
+      system_->add(corner[j], product(form[j], form[j]));
+      system_->add(t, j, product(form[j], form[(j + 1) % 3]));
     }
   }
 
@@ -324,7 +327,7 @@ private:
   const Chart& chart_;
   std::vector<Rest_triangle> rest_;
   Injectivity_checker checker_;
-  Vertex_block_cholesky system_;
+  std::optional<Vertex_block_cholesky> system_; ///< from the first step on
   Border_barrier barrier_;
   std::vector<Complex> u_, gradient_;
   std::vector<std::uint8_t> is_fixed_; ///< per vertex

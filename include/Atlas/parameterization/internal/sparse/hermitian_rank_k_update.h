@@ -2,6 +2,7 @@
 #ifndef ATLAS_PARAMETERIZATION_INTERNAL_SPARSE_HERMITIAN_RANK_K_UPDATE_H
 #define ATLAS_PARAMETERIZATION_INTERNAL_SPARSE_HERMITIAN_RANK_K_UPDATE_H
 
+#include <Atlas/core/internal/avx2.h>
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
 
 #include <Eigen/Core>
@@ -10,11 +11,6 @@
 #include <cstddef>
 #include <type_traits>
 #include <vector>
-
-#if defined(__GNUC__) && defined(__x86_64__)
-#define ATLAS_HAS_AVX2_KERNELS
-#include <immintrin.h>
-#endif
 
 namespace Atlas::internal {
 
@@ -38,14 +34,6 @@ void subtract_outer_by_eigen(Scalar* c, std::size_t ldc, const Scalar* a, std::s
 }
 
 #ifdef ATLAS_HAS_AVX2_KERNELS
-
-/// Programs compiled for any x86-64 would else use half of the width that every processor since 2013 has, and
-/// no fused multiplications.
-inline bool has_avx2()
-{
-  static const bool result = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return result;
-}
 
 /// Real tiles: 12 rows by 4 columns. Packed: 12 rows of A side by side, column after column.
 struct Real_tile

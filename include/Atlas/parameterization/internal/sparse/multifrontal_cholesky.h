@@ -5,6 +5,7 @@
 #include <Atlas/parameterization/internal/geometry/chart_geometry.h>
 #include <Atlas/parameterization/internal/sparse/factor_panels.h>
 #include <Atlas/parameterization/internal/sparse/hermitian_rank_k_update.h>
+#include <Atlas/parameterization/internal/sparse/real_panels.h>
 #include <Atlas/parameterization/internal/sparse/supernodal_symbolic.h>
 
 #include <Eigen/Cholesky>
@@ -108,6 +109,10 @@ private:
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   template <typename Scalar>
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+  template <typename Panel_map, typename Scalar>
+  static constexpr bool are_real =
+      std::is_same_v<typename Panel_map::Scalar, double>&& std::is_same_v<Scalar, double>;
 
   using Supernode = Supernodal_symbolic::Supernode;
 
@@ -223,6 +228,11 @@ private:
   bool eliminate(const Front<Scalar>& front)
   {
     const std::size_t total = front.width + front.height;
+#ifdef ATLAS_HAS_AVX2_KERNELS
+    if constexpr (std::is_same_v<Scalar, double>)
+      if (has_avx2())
+        return eliminate_by_strips(front);
+#endif
     Eigen::Map<Matrix<Scalar>> panel(front.panel, static_cast<Eigen::Index>(total),
                                      static_cast<Eigen::Index>(front.width));
     for (std::size_t begin = 0; begin < front.width; begin += block) {
@@ -245,6 +255,31 @@ private:
     return true;
   }
 
+#ifdef ATLAS_HAS_AVX2_KERNELS
+  /// The same with the kernels for real panels, as long as what they read again and again is small.
+  bool eliminate_by_strips(const Front<double>& front)
+  {
+    constexpr std::size_t small = 4096; // numbers
+    const std::size_t total = front.width + front.height;
+    const auto subtract = [&](double* c, std::size_t ldc, const double* a, std::size_t rows,
+                              std::size_t columns, std::size_t depth) {
+      if (rows * depth <= small)
+        avx2::subtract_outer(c, ldc, a, total, rows, columns, depth);
+      else
+        subtract_outer(c, ldc, a, total, rows, columns, depth, packed_);
+    };
+    for (std::size_t begin = 0; begin < front.width; begin += block) {
+      const std::size_t width = std::min(block, front.width - begin), end = begin + width;
+      double* const columns = front.panel + begin * total;
+      if (!avx2::factorize(columns + begin, total, total - begin, width))
+        return false;
+      subtract(front.panel + end * total + end, total, columns + end, total - end, front.width - end, width);
+    }
+    subtract(front.update, front.height, front.panel + front.width, front.height, front.height, front.width);
+    return true;
+  }
+#endif
+
   template <typename Visit>
   void visit(std::size_t s, Visit&& visit)
   {
@@ -265,14 +300,30 @@ private:
   {
     const Eigen::Index width = panel.cols(), height = panel.rows() - width;
     Eigen::Map<Vector<Scalar>> own(x.data() + B * node.begin, width);
+    below.resize(height);
+#ifdef ATLAS_HAS_AVX2_KERNELS
+    if constexpr (are_real<Panel_map, Scalar>)
+      if (has_avx2()) {
+        avx2::solve_lower(panel.data(), panel.rows(), width, own.data());
+        avx2::multiply(panel.data() + width, panel.rows(), height, width, own.data(), below.data());
+        return subtract_below(node, below, x);
+      }
+#endif
     for (Eigen::Index c = 0; c < width; ++c) {
       own[c] /= real(panel(c, c));
       own.tail(width - c - 1) -= own[c] * panel.col(c).segment(c + 1, width - c - 1);
     }
     below.noalias() = panel.bottomRows(height) * own;
+    subtract_below(node, below, x);
+  }
+
+  template <typename Scalar>
+  void subtract_below(const Supernode& node, const Vector<Scalar>& below, std::vector<Scalar>& x) const
+  {
+    const Scalar* from = below.data();
     for (std::size_t k = node.first_row; k < node.last_row; ++k)
       for (int i = 0; i < B; ++i)
-        x[B * symbolic_.rows()[k] + i] -= below[static_cast<Eigen::Index>(B * (k - node.first_row)) + i];
+        x[B * symbolic_.rows()[k] + i] -= *from++;
   }
 
   template <typename Panel_map, typename Scalar>
@@ -281,10 +332,16 @@ private:
   {
     const Eigen::Index width = panel.cols(), height = panel.rows() - width;
     below.resize(height);
+    Scalar* to = below.data();
     for (std::size_t k = node.first_row; k < node.last_row; ++k)
       for (int i = 0; i < B; ++i)
-        below[static_cast<Eigen::Index>(B * (k - node.first_row)) + i] = x[B * symbolic_.rows()[k] + i];
+        *to++ = x[B * symbolic_.rows()[k] + i];
     Eigen::Map<Vector<Scalar>> own(x.data() + B * node.begin, width);
+#ifdef ATLAS_HAS_AVX2_KERNELS
+    if constexpr (are_real<Panel_map, Scalar>)
+      if (has_avx2())
+        return avx2::solve_upper(panel.data(), panel.rows(), height, width, below.data(), own.data());
+#endif
     own.noalias() -= panel.bottomRows(height).adjoint() * below;
     for (Eigen::Index c = width; c-- > 0;) {
       for (Eigen::Index r = c + 1; r < width; ++r)
@@ -293,10 +350,22 @@ private:
     }
   }
 
-  static double real(double x) { return x; }
-  static double real(const Complex& z) { return z.real(); }
-  static double conjugate(double x) { return x; }
-  static Complex conjugate(const Complex& z) { return std::conj(z); }
+  static double real(double x)
+  {
+    return x;
+  }
+  static double real(const Complex& z)
+  {
+    return z.real();
+  }
+  static double conjugate(double x)
+  {
+    return x;
+  }
+  static Complex conjugate(const Complex& z)
+  {
+    return std::conj(z);
+  }
 
   const Supernodal_symbolic& symbolic_;
   Panels panels_;

@@ -28,7 +28,12 @@ public:
   explicit Crease_finder(const Surface& surface)
       : surface_(surface), normals_(face_normals(surface)),
         reach_(share_of_model * 2 * bounding_box(surface).half_side)
-  {}
+  {
+    // Dozens of ways cross each triangle.
+    inward_.reserve(3 * normals_.size());
+    for (Index h = 0; h < 3 * normals_.size(); ++h)
+      inward_.push_back(unit(CGAL::cross_product(normals_[h / 3], along(h))));
+  }
 
   /// In radians, in [0, pi]; negative where the surface is convex. `h` has an opposite.
   double operator()(Index h) const
@@ -47,7 +52,7 @@ private:
   Vector_3 along(Index h) const { return surface_.point(next_halfedge(h)) - surface_.point(h); }
 
   /// The direction across the edge into the triangle of h.
-  Vector_3 inward(Index h) const { return unit(CGAL::cross_product(normals_[h / 3], along(h))); }
+  const Vector_3& inward(Index h) const { return inward_[h]; }
 
   /// Along the way that starts across h, from its middle.
   Vector_3 mean_normal(Index h) const
@@ -78,7 +83,7 @@ private:
   {
     std::pair<Index, double> first{no_index, std::numeric_limits<double>::infinity()};
     for (const Index g : {next_halfedge(h), previous_halfedge(h)}) {
-      const Vector_3 in = inward(g);
+      const Vector_3& in = inward(g);
       const double speed = -(way * in), distance = (place - surface_.point(g)) * in;
       if (speed > 0 && distance / speed < first.second)
         first = {g, std::max(0., distance / speed)};
@@ -88,6 +93,7 @@ private:
 
   const Surface& surface_;
   std::vector<Vector_3> normals_; ///< per triangle
+  std::vector<Vector_3> inward_;  ///< per halfedge
   double reach_;
 };
 
