@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,8 @@ private:
   /// By which the share of the surface that is stretched too far may grow for the length of a zip, in roots
   /// of the surface's area: less than what slits have to gain.
   static constexpr double greatest_rate = 0.0075;
+  /// Zips that are shorter, in the same unit, are not worth the time.
+  static constexpr double least_length = 0.01;
 
   void zip(Flattened_chart& f)
   {
@@ -63,10 +67,11 @@ private:
       std::size_t last = 0;
       for (const double curvature : curvatures) {
         const std::size_t n = number_of_flat(cut, curvature);
-        if (n == 0 || execution_.is_cancelled())
+        const double length =
+            std::accumulate(cut.length.begin(), cut.length.begin() + static_cast<std::ptrdiff_t>(n), 0.);
+        if (length < least_length * unit_ || execution_.is_cancelled())
           break;
-        if (n != std::exchange(last, n) &&
-            is_zipped(f, {cut.edges.begin(), cut.edges.begin() + static_cast<std::ptrdiff_t>(n)}))
+        if (n != std::exchange(last, n) && is_zipped(f, std::span(cut.edges).first(n), length))
           break;
       }
     }
@@ -75,7 +80,8 @@ private:
   /// A cut from its end inside the chart outwards.
   struct Cut
   {
-    std::vector<Index> edges;      ///< halfedges of the surface
+    std::vector<Index> edges; ///< halfedges of the surface
+    std::vector<double> length;
     std::vector<double> curvature; ///< per edge that of the vertex at its inner end
   };
 
@@ -89,14 +95,11 @@ private:
     return result;
   }
 
-  /// Zips the edges if the chart is good without them.
-  bool is_zipped(Flattened_chart& f, const std::vector<Index>& edges)
+  /// Zips edges if the chart is good without them.
+  bool is_zipped(Flattened_chart& f, std::span<const Index> edges, double length)
   {
-    double length = 0;
-    for (const Index h : edges) {
+    for (const Index h : edges)
       set_cut(surface_, segmentation_, h, false);
-      length += edge_length(surface_, h);
-    }
     Flattened_chart now = flatten_(extract_chart(surface_, segmentation_, f.chart.source, local_));
     if (now.verdict.is_valid() &&
         stretched_(now.chart) - stretched_(f.chart) <= greatest_rate * length * unit_) {
@@ -131,6 +134,7 @@ private:
       while (surface_.opposite[of_surface(a)] == of_surface(b) && may_cross(surface_, of_surface(a)) &&
              left >= 5) {
         cut.edges.push_back(of_surface(a));
+        cut.length.push_back(edge_length(surface_, of_surface(a)));
         cut.curvature.push_back(2 * std::numbers::pi - around);
         around = angle[tail(a)] + angle[head(b)];
         a = arriving[tail(a)];

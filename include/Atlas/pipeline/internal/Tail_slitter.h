@@ -176,13 +176,10 @@ private:
     Chart copy = coarse_copy(chart, triangles_of_copies);
     if (copy.uv.empty() && lay_flat_(copy) != Chart_status::valid)
       return;
-    std::vector<double> parts = stretched_.of_triangles(copy);
-    double before = std::accumulate(parts.begin(), parts.end(), 0.);
-    if (before < 0.5 * place.stretched) { // it lacks the details that matter
-      copy = chart;
-      parts = stretched_.of_triangles(copy);
-      before = place.stretched;
-    }
+    const std::vector<double> parts = stretched_.of_triangles(copy);
+    const double before = std::accumulate(parts.begin(), parts.end(), 0.);
+    if (before < 0.5 * place.stretched) // the surface is rough at the size of its triangles: no slit helps
+      return;
     const Chart_ways graph(copy);
     std::vector<Index> border;
     for (Index v = 0; v < copy.number_of_vertices(); ++v)
