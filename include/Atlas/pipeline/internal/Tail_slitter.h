@@ -15,6 +15,7 @@
 #include <Atlas/validation/internal/Chart_ways.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -120,13 +121,15 @@ private:
   /// By which the share of the surface that is stretched too far has to fall for the length of a slit, in
   /// roots of the surface's area.
   static constexpr double least_rate = 0.01;
+  /// How much more has to be stretched around the end of a slit: hardly all of that gets better.
+  static constexpr double least_promise = 2;
   /// A chart with less stretched area than that share of the surface is good enough.
   static constexpr double least_share = 5e-4;
   /// More slits than that in one chart make a comb.
   static constexpr int most_opened = 4, most_refused = 3;
   /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
   static constexpr std::size_t tries = 4;
-  static constexpr double triangles_of_copies = 1000;
+  static constexpr std::array<double, 2> triangles_of_copies{1000, 30000};
   /// Two edges of a border come no nearer than this share of their length.
   static constexpr double least_gap = 0.05;
   static constexpr double sharp_angle = std::numbers::pi / 4, sharp_discount = 0.4;
@@ -173,12 +176,20 @@ private:
     place.slit = {};
     if (place.stretched < least_share * area_ || place.opened >= most_opened || place.refused >= most_refused)
       return;
-    Chart copy = coarse_copy(chart, triangles_of_copies);
-    if (copy.uv.empty() && lay_flat_(copy) != Chart_status::valid)
-      return;
-    const std::vector<double> parts = stretched_.of_triangles(copy);
-    const double before = std::accumulate(parts.begin(), parts.end(), 0.);
-    if (before < 0.5 * place.stretched) // the surface is rough at the size of its triangles: no slit helps
+    Chart copy;
+    std::vector<double> parts;
+    double before = 0;
+    // The second one is for charts with fine details. What that lacks is roughness: no slit helps there.
+    for (const double triangles : triangles_of_copies) {
+      copy = coarse_copy(chart, triangles);
+      if (copy.uv.empty() && lay_flat_(copy) != Chart_status::valid)
+        return;
+      parts = stretched_.of_triangles(copy);
+      before = std::accumulate(parts.begin(), parts.end(), 0.);
+      if (before >= 0.5 * place.stretched)
+        break;
+    }
+    if (before < 0.5 * place.stretched)
       return;
     const Chart_ways graph(copy);
     std::vector<Index> border;
@@ -212,8 +223,9 @@ private:
         for (const Index w : chart.triangles[t])
           if (is_within(chart.points[v], chart.points[w], ways.cost[v]))
             sum += parts[t] / 3;
-      if (sum > 0)
-        order.emplace_back(rounded(-sum / ways.cost[v] / std::sqrt(area_)), v);
+      if (const double rate = rounded(sum / ways.cost[v] / std::sqrt(area_));
+          rate >= least_promise * least_rate)
+        order.emplace_back(-rate, v);
     }
     std::sort(order.begin(), order.end());
     constexpr double least_distance = 0.3; // of the longer one of two slits
