@@ -116,16 +116,12 @@ private:
     report_.seconds[static_cast<std::size_t>(stage)] += elapsed.count();
   }
 
-  /// On rounded positions, so that models that are equal but for their scale have the same charts.
   void segment()
   {
-    std::vector<Point_3> positions = positions_on_grid(charted_, model_.largest_side);
-    std::swap(charted_.points, positions);
     charted_segmentation_ = policies_.segmentation.segment(charted_, execution_);
     report_.segmented_charts = charted_segmentation_.number_of_charts;
     if (!execution_.is_cancelled())
       cut_to_discs(charted_, charted_segmentation_, execution_);
-    std::swap(charted_.points, positions);
   }
 
   void pack()
@@ -318,8 +314,20 @@ private:
         coverage_outcome(report_.packing_efficiency, wishes_.min_coverage, are_cuts_exhausted_);
   }
 
+  /// What is reported is about the model as it is given.
+  void restore_positions()
+  {
+    surface_.points.swap(model_.positions);
+    for (Chart& chart : charts_)
+      for (std::size_t t = 0; t < chart.source.size(); ++t)
+        for (int i = 0; i < 3; ++i)
+          chart.points[chart.triangles[t][i]] = surface_.points[surface_.triangles[chart.source[t]][i]];
+    report_.area = area_3d(surface_) * model_.unit * model_.unit;
+  }
+
   void summarize()
   {
+    restore_positions();
     report_.split_charts = flattener_.split_charts();
     report_.rejoined_pieces = flattener_.rejoined_pieces();
     report_.face_page = face_page_;
@@ -357,7 +365,6 @@ private:
     if (report_.unoptimized.triangles == 0)
       report_.unoptimized = report_.distortion;
     summarize_coverage();
-    report_.area *= model_.unit * model_.unit;
     report_.status = report_.certificate.is_valid() ? Atlas_status::valid : Atlas_status::not_valid;
     renumber();
   }

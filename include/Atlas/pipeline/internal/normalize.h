@@ -4,8 +4,11 @@
 
 #include <Atlas/core/Surface.h>
 #include <Atlas/core/internal/bounding_box.h>
+#include <Atlas/measure/distortion.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace Atlas::internal {
@@ -13,39 +16,48 @@ namespace Atlas::internal {
 /// What `normalize()` found.
 struct Normalization
 {
-  double unit = 1;         ///< the model's unit over the unit used now
-  double largest_side = 0; ///< of the bounding box, in the unit used now
+  double unit = 1;                ///< the model's unit over the unit used now
+  std::vector<Point_3> positions; ///< in the unit used now, not rounded
 };
 
-/// Moves the model to the origin and scales it by a power of two to about unit size, so that no product of
-/// coordinates overflows or loses digits that the input has.
+/// Rounds positions in units of half the largest side to a grid that is finer than what matters to charts,
+/// but far coarser than the last digits, which change when a model is scaled or moved. What is computed from
+/// them is the same to the last bit then: comparisons of what is equal but for rounding, and trial packings,
+/// which hang on the last digits of all coordinates, have one outcome. Where there is little area for that
+/// size, in specks far apart, the grid is as much finer.
+inline void round_positions(Surface& surface)
+{
+  constexpr int bits = 29, bits_of_area = 27;
+  constexpr double threshold = 0.50001; // no half: values of few digits may lie in the middle of two places
+  const double side = std::sqrt(area_3d(surface));
+  if (!(side > 0) || !std::isfinite(side))
+    return;
+  const int exponent = std::min(-bits, std::ilogb(side / std::numbers::phi) - bits_of_area);
+  const auto round = [&](double x) {
+    const double places = std::floor(std::ldexp(std::abs(x), -exponent) + threshold);
+    return std::copysign(std::ldexp(places, exponent), x) + 0.0; // no -0
+  };
+  for (Point_3& p : surface.points)
+    p = Point_3(round(p.x()), round(p.y()), round(p.z()));
+}
+
+/// Moves the model to the origin, scales it to unit size, so that no product of coordinates overflows, and
+/// rounds the positions: models that are equal but for scale and place become one.
 inline Normalization normalize(Surface& surface)
 {
   const Bounding_box box = bounding_box(surface);
   if (!(box.half_side > 0) || !std::isfinite(box.half_side))
-    return {};
+    return {1, surface.points};
+  // First by a power of two: quotients of tiny numbers lose digits.
   const int exponent = std::ilogb(box.half_side);
+  const double half_side = std::ldexp(box.half_side, -exponent);
   const auto coordinate = [&](const Point_3& p, int i) {
-    return std::ldexp(p[i], -exponent) - std::ldexp(box.center[i], -exponent);
+    return (std::ldexp(p[i], -exponent) - std::ldexp(box.center[i], -exponent)) / half_side;
   };
   for (Point_3& p : surface.points)
     p = Point_3(coordinate(p, 0), coordinate(p, 1), coordinate(p, 2));
-  return {std::ldexp(1.0, exponent), std::ldexp(2 * box.half_side, -exponent)};
-}
-
-/// The positions in units of `largest_side`, on a grid that is finer than what matters to charts, but far
-/// coarser than the last digits, which change when a model is scaled. Segmentation compares many things that
-/// are equal but for these, on symmetric models above all.
-inline std::vector<Point_3> positions_on_grid(const Surface& surface, double largest_side)
-{
-  constexpr double cells = 1 << 30;
-  if (!(largest_side > 0) || !std::isfinite(largest_side))
-    return surface.points;
-  std::vector<Point_3> result;
-  result.reserve(surface.points.size());
-  const auto round = [&](double x) { return std::round(x / largest_side * cells) / cells; };
-  for (const Point_3& p : surface.points)
-    result.emplace_back(round(p.x()), round(p.y()), round(p.z()));
+  Normalization result{box.half_side, surface.points};
+  round_positions(surface);
   return result;
 }
 
