@@ -129,7 +129,7 @@ private:
   static constexpr int most_opened = 4, most_refused = 3;
   /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
   static constexpr std::size_t tries = 4;
-  static constexpr std::array<double, 2> triangles_of_copies{1000, 30000};
+  static constexpr std::array<double, 2> triangles_of_copies{2500, 30000};
   /// Two edges of a border come no nearer than this share of their length.
   static constexpr double least_gap = 0.05;
   static constexpr double sharp_angle = std::numbers::pi / 4, sharp_discount = 0.4;
