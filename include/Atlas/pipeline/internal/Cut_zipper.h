@@ -10,6 +10,7 @@
 #include <Atlas/core/internal/edge_rules.h>
 #include <Atlas/core/internal/halfedges.h>
 #include <Atlas/pipeline/internal/Tail_slitter.h>
+#include <Atlas/pipeline/internal/tiny_charts.h>
 #include <Atlas/segmentation/internal/surface/triangle_geometry.h>
 
 #include <array>
@@ -46,7 +47,7 @@ public:
   void run(std::vector<Flattened_chart>& charts)
   {
     execution_.for_each(charts.size(), [&](std::size_t i) {
-      if (charts[i].verdict.is_valid())
+      if (charts[i].verdict.is_valid() && !is_unrolled(charts[i])) // nets of hard surfaces keep their shape
         zip(charts[i]);
     });
   }
