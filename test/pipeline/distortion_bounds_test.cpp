@@ -240,7 +240,7 @@ std::size_t cuts_left(const Height& height, Edge_constraint constraint = Edge_co
 
 TEST(DistortionBounds, CutsThatNobodyNeedsAreZipped)
 {
-  const auto bowl = [](double r) { return 1.5 * r * r; };
+  const auto bowl = [](double r) { return r * r; };
   const auto cone = [](double slope) { return [slope](double r) { return -slope * r; }; };
   EXPECT_EQ(cuts_left(bowl), 0u);
   EXPECT_EQ(cuts_left(bowl, Edge_constraint::seam), 12u) << "a seam that is wanted";
