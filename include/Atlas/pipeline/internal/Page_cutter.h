@@ -34,6 +34,8 @@ public:
   /// What is taken for full pages where no coverage is asked for: less would make pages too large to be of
   /// use for what is too long for them.
   static constexpr double usual_coverage = 0.7;
+  /// Pages that are emptier are filled if that is worth anything.
+  static constexpr double poor_coverage = 0.6;
   /// Rounding takes that much of the coverage at most.
   static constexpr double coverage_lost = 2e-4;
 
@@ -109,10 +111,11 @@ private:
     std::optional<Cut_charts> best =
         search_in(Cut_forest(surface_, segmentation, charts, room, execution_, trade_, seam))
             .trade(coverage, seam, trade_.rate);
-    if ((best ? best->packed.coverage : coverage) >= trade_.empty_coverage)
+    const double reached = best ? best->packed.coverage : coverage;
+    if (reached >= trade_.empty_coverage)
       return best;
     std::optional<Cut_charts> full = fill(segmentation, charts, coverage);
-    const double worth_before = best ? worth(*best, coverage, seam) : 0;
+    const double worth_before = best && reached >= poor_coverage ? worth(*best, coverage, seam) : 0;
     return full && worth(*full, coverage, seam) > worth_before ? std::move(full) : std::move(best);
   }
 
