@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
 #include "cgal_meshes.h"
+#include "segmentation_shapes.h"
 #include <array>
 #include <cmath>
 #include <map>
@@ -264,7 +265,7 @@ TEST(GenerateAtlasOnSurface, TheAtlasDoesNotDependOnTheScaleAndThePlaceOfTheMode
       },
       false, false, false);
   std::size_t pieces = 0;
-  for (const Soup& soup : {sphere(2), torus(24, 16), cube(), ribbon}) {
+  for (const Soup& soup : {sphere(4), torus(60, 40), cube(), ribbon}) {
     std::vector<Point_2> uv, other_uv;
     const Atlas_report one = generate_atlas(surface_of(soup), uv);
     pieces += one.pieces_cut_for_pages;
@@ -274,8 +275,9 @@ TEST(GenerateAtlasOnSurface, TheAtlasDoesNotDependOnTheScaleAndThePlaceOfTheMode
       EXPECT_EQ(uv, other_uv) << factor << " " << shift;
       EXPECT_NEAR(other.seam_length / factor, one.seam_length, 1e-9 * one.seam_length) << factor;
       EXPECT_NEAR(other.density * factor, one.density, 1e-9 * one.density) << factor;
+      EXPECT_NEAR(other.certificate.density_min * factor, one.certificate.density_min, 1e-9 * one.density);
     };
-    for (const double factor : {1e-6, 0.7, 3.0, 1e6})
+    for (const double factor : {1e-6, 1e-3, 1 / 3.0, 0.7, 3.0, 1e3, 1e6})
       check(factor, 0);
     check(1, 2.1);
   }
@@ -284,21 +286,21 @@ TEST(GenerateAtlasOnSurface, TheAtlasDoesNotDependOnTheScaleAndThePlaceOfTheMode
 
 TEST(GenerateAtlasOnSurface, SmallPartsOfALargeModelKeepTheirShape)
 {
-  // Two spheres so far from each other that both are specks: positions are rounded by their size, not by the
-  // distance.
-  Soup soup = sphere(3), far = changed(soup, 1, 1e6);
-  const auto first = static_cast<Index>(soup.points.size());
-  soup.points.insert(soup.points.end(), far.points.begin(), far.points.end());
-  for (auto polygon : far.polygons) {
-    for (Index& v : polygon)
-      v += first;
-    soup.polygons.push_back(std::move(polygon));
-  }
+  // Beside a twin so far away that both are specks, and beside a very large sheet: positions are rounded by
+  // the size of the parts, not by that of the model.
+  const Soup small = sphere(3);
   std::vector<Point_2> uv;
-  const Atlas_report one = generate_atlas(surface_of(sphere(3)), uv),
-                     two = generate_atlas(surface_of(soup), uv);
-  EXPECT_TRUE(two.is_valid());
-  EXPECT_NEAR(two.area, 2 * one.area, 1e-8 * one.area);
+  const Atlas_report alone = generate_atlas(surface_of(small), uv);
+  const Soup sheet = grid(
+      4, 4, [](double x, double y) { return Point_3(1e8 * x, 1e8 * y, 0); }, false, false, false);
+  for (const Soup& other : {changed(small, 1, 1e9), sheet}) {
+    Soup both = other;
+    append(both, small);
+    const Atlas_report report = generate_atlas(surface_of(both), uv);
+    EXPECT_TRUE(report.is_valid());
+    for (const Chart_report& chart : report.charts)
+      EXPECT_LT(chart.distortion.stretch_p99, alone.distortion.stretch_p99 + 0.1);
+  }
 }
 
 TEST(GenerateAtlasOnSurface, OneChartOfASphereIsNotSplitForItsDistortion)

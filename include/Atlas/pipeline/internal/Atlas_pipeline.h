@@ -206,6 +206,19 @@ private:
     return pages;
   }
 
+  /// About the positions and in the unit of the model as it is given.
+  Atlas_certificate certificate_of_model(const Certificate_options& options)
+  {
+    surface_.points.swap(model_.positions);
+    Atlas_certificate result = certify(surface_, corner_uv_, pages_of_layers(), options, execution_);
+    surface_.points.swap(model_.positions);
+    result.pages = std::min(result.pages, report_.pages);
+    result.seam_length *= model_.unit;
+    result.density_min /= model_.unit;
+    result.density_max /= model_.unit;
+    return result;
+  }
+
   /// Writes the coordinates to the corners and proves them. Returns the charts of the flattener to blame,
   /// sorted.
   std::vector<Index> verify()
@@ -215,8 +228,7 @@ private:
     options.width = page_.width;
     options.height = page_.height;
     options.gutter = page_.gutter;
-    report_.certificate = certify(surface_, corner_uv_, pages_of_layers(), options, execution_);
-    report_.certificate.pages = std::min(report_.certificate.pages, report_.pages);
+    report_.certificate = certificate_of_model(options);
     std::vector<bool> refused(flattener_.charts().size(), false);
     for (std::size_t i = 0; i < charts_.size(); ++i)
       if (!rounding_faults_[i].empty())
