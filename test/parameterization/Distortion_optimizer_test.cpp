@@ -14,6 +14,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include "flattening_checks.h"
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -247,6 +248,32 @@ TEST(Symmetric_dirichlet_optimizer, trades_mean_for_tail_by_its_exponent)
       largest = tail_of(chart, 1).second;
     }
   }
+}
+
+TEST(Symmetric_dirichlet_optimizer, goes_straight_back_to_a_minimum_that_is_near)
+{
+  Distortion_options options;
+  options.tail_exponent = 4;
+  options.tolerance = 1e-6;
+  Chart best = height_field(48, 0.8, 3); // enough vertices for coarse meshes
+  ASSERT_EQ(Tutte_parameterizer().parameterize(best, Execution()), Chart_status::valid);
+  ASSERT_EQ(Symmetric_dirichlet_optimizer(options).optimize(best, Execution()), Chart_status::valid);
+  std::array<double, 2> tail{};
+  std::array<std::size_t, 2> steps{};
+  for (const bool is_near : {false, true}) {
+    Chart chart = best;
+    for (std::size_t v = 0; v < chart.uv.size(); v += 7)
+      chart.uv[v] = Point_2(chart.uv[v].x() + 1e-3, chart.uv[v].y());
+    options.starts_near_minimum = is_near;
+    Distortion_record record;
+    ASSERT_EQ(Symmetric_dirichlet_optimizer(options).optimize(chart, Execution(), record),
+              Chart_status::valid);
+    tail[is_near] = tail_of(chart, 4).first;
+    steps[is_near] = record.iterations;
+  }
+  EXPECT_NEAR(tail[0], tail_of(best, 4).first, 1e-4);
+  EXPECT_NEAR(tail[1], tail_of(best, 4).first, 1e-4);
+  EXPECT_LT(steps[1], steps[0]);
 }
 
 TEST(Symmetric_dirichlet_optimizer, asks_at_every_step_whether_to_go_on)

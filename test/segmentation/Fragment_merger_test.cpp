@@ -224,15 +224,19 @@ TEST(Fragment_merger, takes_back_what_is_not_accepted)
   for (Chart& chart : extract_charts(surface, segmentation))
     charts.push_back({std::move(chart), {}, {}});
   std::size_t attempts = 0;
+  std::set<std::vector<Index>> tried;
   const auto flatten = [&](Chart chart) {
     ++attempts;
+    tried.insert(chart.source);
     return internal::Flattened_chart{std::move(chart), {}, {}};
   };
   const auto never = [](const auto&, const auto&, const auto&) { return false; };
   const std::size_t joined =
-      internal::Fragment_merger(surface, segmentation, charts, flatten, never, 5, Execution(1)).run({0, 3});
+      internal::Fragment_merger(surface, segmentation, charts, flatten, never, 5, Execution(1))
+          .run({0, 1, 3});
   EXPECT_EQ(joined, 0u);
   EXPECT_GE(attempts, 4u) << "each fragment has two neighbours";
+  EXPECT_EQ(attempts, tried.size()) << "two charts that are as they were are refused again";
   EXPECT_TRUE(equal(segmentation, before));
   for (Index c = 0; c < 4; ++c)
     EXPECT_EQ(charts[c].chart.number_of_triangles(), 2u * cells * cells / 4);

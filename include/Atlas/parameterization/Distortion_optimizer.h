@@ -25,6 +25,9 @@ struct Distortion_options
   /// above 1 trades a little of the mean for much less distortion at the worst places. At least 1, which
   /// stands for the mean alone.
   unsigned tail_exponent = 1;
+  /// Whether the chart's coordinates are near such a minimum already, as after a small change: then only the
+  /// power is lowered if there is an exponent, and at full size.
+  bool starts_near_minimum = false;
   /// In [0, 1], for `Distortion_energy::conformal_stretch` only: 0 is conformal, 1 is least stretch.
   double stretch_weight = 0.5;
   /// Whether border vertices keep their places, up to one scale for the whole chart: for charts with a border

@@ -9,6 +9,7 @@
 #include <Atlas/segmentation/merge_charts.h>
 
 #include <limits>
+#include <optional>
 
 namespace Atlas {
 
@@ -83,9 +84,18 @@ struct Repair_options
   /// Before that, cuts that end inside a chart are zipped where hardly more is stretched farther without
   /// them. Only where the segmentation has such a bound, and mirrored charts do not stay mirrored.
   double wanted_stretch = std::numeric_limits<double>::infinity();
+  /// Optimises a chart that was opened by a slit from the coordinates that it had before, which are near its
+  /// best. None: such charts are flattened anew, which takes several times as long.
+  std::optional<Any_optimizer> slit_optimizer = std::nullopt;
 
   /// The paper's: only splitting.
-  static constexpr Repair_options paper() { return {false, never, never, true}; }
+  static Repair_options paper()
+  {
+    return {.rejoin_pieces = false,
+            .first_halving_round = never,
+            .max_bound_rounds = never,
+            .optimize_accepted = true};
+  }
 };
 
 /// \brief The policies of a run, one for each stage.

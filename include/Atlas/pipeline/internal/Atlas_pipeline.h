@@ -148,7 +148,7 @@ private:
   /// Cuts charts as the wishes for pages say.
   void cut_for_pages(const Chart_packing& packing, Packed_charts& packed)
   {
-    Page_cutter cutter(charted_, packing, page_, wishes_.min_coverage, trade_, execution_);
+    Page_cutter cutter(charted_, packing, page_, wishes_.min_coverage, trade_, report_.bound, execution_);
     std::optional<Cut_charts> cut = cutter(charted_segmentation_, flattener_.charts(), packed);
     are_cuts_exhausted_ = cutter.is_exhausted();
     if (!cut || execution_.is_cancelled())

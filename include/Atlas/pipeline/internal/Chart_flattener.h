@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -265,15 +266,46 @@ private:
         execution_.is_cancelled())
       return;
     const auto flatten = [this](Chart chart) { return flatten_chart(std::move(chart)); };
-    Cut_zipper(surface_, segmentation_, policies_.repair.wanted_stretch, flatten, execution_).run(charts_);
-    const auto lay_flat = [this](Chart& chart) {
-      Flattening_record record;
-      const Chart_status status = policies_.parameterizer.parameterize(chart, execution_, record);
-      return status == Chart_status::valid ? policies_.optimizer.optimize(chart, execution_) : status;
+    const auto lay_flat = [this](Chart& chart) { return this->lay_flat(chart); };
+    const double wanted = policies_.repair.wanted_stretch;
+    Cut_zipper(surface_, segmentation_, wanted, flatten, lay_flat, execution_).run(charts_);
+    const auto flatten_slit = [this](Chart chart, const Flattening_record& record) {
+      return this->flatten_slit(std::move(chart), record);
     };
-    Tail_slitter(surface_, segmentation_, policies_.repair.wanted_stretch, bound_.stretch_share, flatten,
-                 lay_flat, execution_)
+    Tail_slitter(surface_, segmentation_, wanted, bound_.stretch_share, flatten_slit, lay_flat, execution_)
         .run(charts_);
+  }
+
+  /// \param chart   with coordinates from before it was slit
+  /// \param record  of that
+  Flattened_chart flatten_slit(Chart chart, const Flattening_record& record) const
+  {
+    if (is_optimized_after_slit(chart)) {
+      Flattened_chart result{std::move(chart), {}, record, {}};
+      result.record.is_optimized = true;
+      give_area(result.chart);
+      result.verdict = policies_.validator.validate(result.chart, execution_);
+      return result;
+    }
+    chart.uv.clear();
+    return flatten_chart(std::move(chart));
+  }
+
+  bool is_optimized_after_slit(Chart& chart) const
+  {
+    const std::optional<Any_optimizer>& optimizer = policies_.repair.slit_optimizer;
+    return optimizer && optimizer->optimize(chart, execution_) == Chart_status::valid;
+  }
+
+  /// For trials. A chart that has coordinates already is one that was changed a little.
+  Chart_status lay_flat(Chart& chart) const
+  {
+    if (!chart.uv.empty() && is_optimized_after_slit(chart))
+      return Chart_status::valid;
+    chart.uv.clear();
+    Flattening_record record;
+    const Chart_status status = policies_.parameterizer.parameterize(chart, execution_, record);
+    return status == Chart_status::valid ? policies_.optimizer.optimize(chart, execution_) : status;
   }
 
   /// Glues cuts that are none in the plane: charts with holes are discs only while they are flattened.

@@ -50,11 +50,13 @@ public:
   /// \param segmentation  which the charts belong to
   /// \param trade         which cuts are of use; nothing: all
   /// \param seam          the length of all borders between charts
+  /// \param bound         pieces of charts that keep it do so too
   Cut_forest(const Surface& surface, const Segmentation& segmentation,
              const std::vector<Flattened_chart>& charts, const Room_estimate& room,
-             const Execution& execution, std::optional<Cut_trade> trade, double seam)
+             const Execution& execution, std::optional<Cut_trade> trade, double seam,
+             const Distortion_bound& bound)
       : surface_(surface), segmentation_(segmentation), charts_(charts), room_(room), execution_(execution),
-        trade_(trade), seam_(seam), costs_(surface, sharp_angle, sharp_discount)
+        trade_(trade), seam_(seam), bound_(bound), costs_(surface, sharp_angle, sharp_discount)
   {
     for (Index i = 0; i < charts.size(); ++i)
       add(charts[i].chart, i, no_index);
@@ -237,6 +239,22 @@ private:
     }
     node.cut = Chart_cut_finder(chart, cost, room_, most_cost(node)).best(execution_);
     keep_faces_whole(chart, node.cut);
+    if (!keep_bound(chart, node.cut))
+      node.cut.number_of_parts = 0;
+  }
+
+  /// Whether all pieces keep the bound, if the chart does: one may have more than its share of what is
+  /// stretched.
+  bool keep_bound(const Chart& chart, const Chart_cut& cut) const
+  {
+    const std::vector<Triangle_distortion> measured = triangle_distortions(chart);
+    if (used_share(measured, bound_) > 1)
+      return true;
+    std::vector<std::vector<Triangle_distortion>> of_parts(cut.number_of_parts);
+    for (std::size_t t = 0; t < measured.size() && !of_parts.empty(); ++t)
+      of_parts[cut.parts[t]].push_back(measured[t]);
+    return std::all_of(of_parts.begin(), of_parts.end(),
+                       [&](const auto& part) { return used_share(part, bound_) <= 1; });
   }
 
   /// Parts that share a face become one. Triangles of a face need not hang together in a chart: flat ones of
@@ -327,6 +345,7 @@ private:
   const Execution& execution_;
   std::optional<Cut_trade> trade_;
   double seam_, room_before_ = 0;
+  Distortion_bound bound_;
   Seam_costs costs_;
   std::vector<Node> nodes_;
   std::vector<Index> cuts_;

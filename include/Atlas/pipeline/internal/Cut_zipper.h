@@ -35,12 +35,15 @@ class Cut_zipper
 public:
   /// Flattens and validates a chart. Called from several threads.
   using Flatten = std::function<Flattened_chart(Chart)>;
+  /// Only lays a chart flat; one that has coordinates is near its best. Called from several threads.
+  using Lay_flat = std::function<Chart_status(Chart&)>;
 
   /// \param wanted  stretch that as little as possible shall exceed
   Cut_zipper(const Surface& surface, Segmentation& segmentation, double wanted, Flatten flatten,
-             const Execution& execution)
+             Lay_flat lay_flat, const Execution& execution)
       : surface_(surface), segmentation_(segmentation), stretched_(wanted), flatten_(std::move(flatten)),
-        execution_(execution), unit_(std::sqrt(area_3d(surface))), local_(surface.number_of_triangles())
+        lay_flat_(std::move(lay_flat)), execution_(execution), unit_(std::sqrt(area_3d(surface))),
+        local_(surface.number_of_triangles())
   {}
 
   /// Charts are those of the segmentation.
@@ -101,15 +104,30 @@ private:
   {
     for (const Index h : edges)
       set_cut(surface_, segmentation_, h, false);
-    Flattened_chart now = flatten_(extract_chart(surface_, segmentation_, f.chart.source, local_));
-    if (now.verdict.is_valid() &&
-        stretched_(now.chart) - stretched_(f.chart) <= greatest_rate * length * unit_) {
-      f = std::move(now);
-      return true;
+    Chart zipped = extract_chart(surface_, segmentation_, f.chart.source, local_);
+    const double most_growth = greatest_rate * length * unit_;
+    if (is_promising(zipped, f.chart, most_growth)) {
+      Flattened_chart now = flatten_(std::move(zipped));
+      if (now.verdict.is_valid() && stretched_(now.chart) - stretched_(f.chart) <= most_growth) {
+        f = std::move(now);
+        return true;
+      }
     }
     for (const Index h : edges)
       set_cut(surface_, segmentation_, h, true);
     return false;
+  }
+
+  /// Whether coarse copies of a large chart leave hope for a zip: they are stretched more.
+  bool is_promising(const Chart& zipped, const Chart& chart, double most_growth) const
+  {
+    constexpr double triangles = 2500, hope = 3, hope_of_copies = 0.15;
+    Chart after = coarse_copy(zipped, triangles), before = coarse_copy(chart, triangles);
+    if (after.number_of_triangles() == zipped.number_of_triangles() ||
+        lay_flat_(before) != Chart_status::valid || lay_flat_(after) != Chart_status::valid)
+      return true;
+    const double stretched = stretched_(before);
+    return stretched_(after) - stretched <= hope * most_growth + hope_of_copies * stretched;
   }
 
   std::vector<Cut> cuts_of(const Chart& chart) const
@@ -164,6 +182,7 @@ private:
   Segmentation& segmentation_;
   Stretched_area stretched_;
   Flatten flatten_;
+  Lay_flat lay_flat_;
   const Execution& execution_;
   double unit_;              ///< root of the area of the surface
   std::vector<Index> local_; ///< scratch: per triangle of the surface; charts are disjoint

@@ -41,10 +41,12 @@ public:
 
   /// \param surface       of the charts. All must outlive this object
   /// \param min_coverage  that is asked for; 0: none, then charts are cut as `trade` says
+  /// \param bound         that pieces keep where nothing is asked for
   Page_cutter(const Surface& surface, const Chart_packing& packing, const Page_options& page,
-              double min_coverage, const Cut_trade& trade, const Execution& execution)
+              double min_coverage, const Cut_trade& trade, const Distortion_bound& bound,
+              const Execution& execution)
       : surface_(surface), packing_(packing), page_(page), min_coverage_(min_coverage), trade_(trade),
-        execution_(execution)
+        bound_(bound), execution_(execution)
   {}
 
   /// \param packed  the charts as they are
@@ -63,8 +65,8 @@ public:
     if (!is_asked)
       return is_worth_a_trial(packed) ? trade(segmentation, charts, coverage) : std::nullopt;
     const double seam = half_of_borders(charts);
-    Coverage_search search = search_in(
-        Cut_forest(surface_, segmentation, charts, room_on_pages(wanted), execution_, std::nullopt, seam));
+    Coverage_search search = search_in(Cut_forest(surface_, segmentation, charts, room_on_pages(wanted),
+                                                  execution_, std::nullopt, seam, {}));
     std::optional<Cut_charts> cut = search.reach(coverage, wanted, {});
     is_exhausted_ = search.is_exhausted();
     return cut;
@@ -109,7 +111,7 @@ private:
     const double seam = half_of_borders(charts);
     const Room_estimate room = room_on_pages(std::max(coverage, usual_coverage));
     std::optional<Cut_charts> best =
-        search_in(Cut_forest(surface_, segmentation, charts, room, execution_, trade_, seam))
+        search_in(Cut_forest(surface_, segmentation, charts, room, execution_, trade_, seam, bound_))
             .trade(coverage, seam, trade_.rate);
     const double reached = best ? best->packed.coverage : coverage;
     if (reached >= trade_.empty_coverage)
@@ -133,8 +135,9 @@ private:
   {
     const double seam = half_of_borders(charts);
     const double most_added = trade_.most_added_when_empty * (seam - half_of_surface_borders());
-    Coverage_search search = search_in(Cut_forest(
-        surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_, std::nullopt, seam));
+    Coverage_search search =
+        search_in(Cut_forest(surface_, segmentation, charts, room_on_pages(trade_.full_coverage), execution_,
+                             std::nullopt, seam, bound_));
     std::optional<Cut_charts> cut =
         search.reach(coverage, usual_coverage,
                      {packings_of_trade, retractions_of_trade, most_added, trade_.empty_coverage});
@@ -151,7 +154,7 @@ private:
       return std::nullopt;
     const Room_estimate room{(std::min(page_.width, page_.height) - gutter) / page_.density,
                              gutter / page_.density};
-    return search_in(Cut_forest(surface_, segmentation, charts, room, execution_, std::nullopt, 0))
+    return search_in(Cut_forest(surface_, segmentation, charts, room, execution_, std::nullopt, 0, {}))
         .fit(least);
   }
 
@@ -190,6 +193,7 @@ private:
   const Page_options& page_;
   double min_coverage_;
   const Cut_trade& trade_;
+  const Distortion_bound& bound_;
   const Execution& execution_;
   bool is_exhausted_ = false;
 };

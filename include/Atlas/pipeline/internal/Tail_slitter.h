@@ -8,8 +8,8 @@
 #include <Atlas/core/internal/Flattened_chart.h>
 #include <Atlas/core/internal/cuts.h>
 #include <Atlas/core/internal/edge_rules.h>
-#include <Atlas/core/internal/extract_triangles.h>
 #include <Atlas/measure/distortion.h>
+#include <Atlas/pipeline/internal/slit_chart.h>
 #include <Atlas/segmentation/internal/merging/merge_trial.h>
 #include <Atlas/segmentation/internal/surface/Seam_costs.h>
 #include <Atlas/validation/internal/Chart_ways.h>
@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -73,9 +74,9 @@ private:
 class Tail_slitter
 {
 public:
-  /// Flattens and validates a chart.
-  using Flatten = std::function<Flattened_chart(Chart)>;
-  /// Only lays a chart flat. Called from several threads.
+  /// Flattens and validates a chart that has coordinates from before it was slit, made as recorded.
+  using Flatten = std::function<Flattened_chart(Chart, const Flattening_record&)>;
+  /// Only lays a chart flat; one that has coordinates is near its best. Called from several threads.
   using Lay_flat = std::function<Chart_status(Chart&)>;
 
   /// \param wanted  stretch that at most the part 1 - `share` of the surface may exceed
@@ -111,7 +112,8 @@ public:
       const bool is_open = open(chart, *best);
       slits += is_open;
       sum += best->stretched - before;
-      ++(is_open ? best->opened : best->refused);
+      best->opened += is_open;
+      best->refused = is_open ? 0 : best->refused + 1;
       look_for_slit(chart.chart, *best);
     }
     return slits;
@@ -120,18 +122,21 @@ public:
 private:
   /// By which the share of the surface that is stretched too far has to fall for the length of a slit, in
   /// roots of the surface's area.
-  static constexpr double least_rate = 0.01;
+  static constexpr double least_rate = 0.003;
+  /// And at all: less is not worth a slit.
+  static constexpr double least_gain = 1e-4;
   /// How much more has to be stretched around the end of a slit: hardly all of that gets better.
   static constexpr double least_promise = 2;
   /// A chart with less stretched area than that share of the surface is good enough.
   static constexpr double least_share = 5e-4;
-  /// More slits than that in one chart make a comb.
-  static constexpr int most_opened = 4, most_refused = 3;
+  /// More slits than that make a comb of a chart: the more the larger it is.
+  static constexpr double most_opened = 6, most_opened_of_all = 12;
+  static constexpr int most_refused = 3;
   /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
-  static constexpr std::size_t tries = 4;
+  static constexpr std::size_t tries = 16;
   static constexpr std::array<double, 2> triangles_of_copies{2500, 30000};
   /// Two edges of a border come no nearer than this share of their length.
-  static constexpr double least_gap = 0.05;
+  static constexpr double least_gap = 0.01;
   static constexpr double sharp_angle = std::numbers::pi / 4, sharp_discount = 0.4;
 
   /// From a place on the border to one inside.
@@ -164,17 +169,19 @@ private:
   /// What is known of one chart.
   struct Place
   {
-    double stretched = 0; ///< area
-    Slit slit;            ///< the best
-    int opened = 0, refused = 0;
-    std::vector<Point_3> known; ///< ends of slits that have been made or refused
+    double stretched = 0;            ///< area
+    Slit slit;                       ///< the best
+    int opened = 0, refused = 0;     ///< slits; in vain since the last one
+    std::vector<Point_3> known;      ///< ends of slits that have been made or refused
+    std::map<Point_3, double> rates; ///< per end of a slit that was tried: what it brought then
   };
 
   /// Finds the best slit of a chart.
   void look_for_slit(const Chart& chart, Place& place) const
   {
     place.slit = {};
-    if (place.stretched < least_share * area_ || place.opened >= most_opened || place.refused >= most_refused)
+    const double most = most_opened + most_opened_of_all * area_3d(chart) / area_;
+    if (place.stretched < least_share * area_ || place.opened + 1 > most || place.refused >= most_refused)
       return;
     Chart copy;
     std::vector<double> parts;
@@ -182,7 +189,7 @@ private:
     // The second one is for charts with fine details. What that lacks is roughness: no slit helps there.
     for (const double triangles : triangles_of_copies) {
       copy = coarse_copy(chart, triangles);
-      if (copy.uv.empty() && lay_flat_(copy) != Chart_status::valid)
+      if (lay_flat_(copy) != Chart_status::valid)
         return;
       parts = stretched_.of_triangles(copy);
       before = std::accumulate(parts.begin(), parts.end(), 0.);
@@ -197,13 +204,39 @@ private:
       if (graph.is_border(v))
         border.push_back(v);
     const Chart_ways::Ways ways = graph.from(border, [&](Index h) { return single(graph.length(h)); });
-    for (const Index v : promising_ends(copy, graph, ways, parts, place.known)) {
-      const std::vector<Index> way = graph.way_to(ways, v);
+    const std::vector<Index> ends = promising_ends(copy, graph, ways, parts, place.known);
+    for (const auto& [most_rate, v] : with_most_rates(ends, copy, place)) {
+      if (most_rate < place.slit.rate)
+        break;
+      std::vector<Index> way = graph.way_to(ways, v);
+      Slit slit{copy.points[graph.tail(way.back())], copy.points[v], 0};
+      if (!copy.source.empty())
+        way = way_of(slit, copy, graph);
+      if (way.empty())
+        continue;
       const double gain = place.stretched * (1 - stretched_with(copy, graph, way) / before);
-      const double rate = rounded(gain / ways.cost[v] / std::sqrt(area_));
-      if (rate > place.slit.rate)
-        place.slit = {copy.points[graph.tail(way.back())], copy.points[v], rate};
+      if (gain >= least_gain * area_)
+        slit.rate = rounded(gain / graph.length(way) / std::sqrt(area_));
+      place.rates[slit.end] = slit.rate;
+      if (slit.rate > place.slit.rate)
+        place.slit = slit;
     }
+  }
+
+  /// What slits brought on trial before another one was made is about the most that they bring now. So the
+  /// best come first, and behind those that were not tried yet.
+  static std::vector<std::pair<double, Index>> with_most_rates(const std::vector<Index>& ends,
+                                                               const Chart& copy, const Place& place)
+  {
+    std::vector<std::pair<double, Index>> result;
+    for (const Index v : ends) {
+      const auto known = place.rates.find(copy.points[v]);
+      result.emplace_back(
+          known == place.rates.end() ? std::numeric_limits<double>::infinity() : known->second, v);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    return result;
   }
 
   /// Inner vertices apart from each other with much stretched area for their distance from the border.
@@ -248,14 +281,7 @@ private:
   /// The stretched area of a chart that is cut along a way; infinite where it does not unfold well.
   double stretched_with(const Chart& chart, const Chart_ways& graph, const std::vector<Index>& way) const
   {
-    std::vector<Index> opposite = graph.opposite();
-    for (const Index h : way)
-      opposite[h] = opposite[graph.opposite()[h]] = no_index;
-    std::vector<Index> all(chart.number_of_triangles()), local(all.size());
-    std::iota(all.begin(), all.end(), Index(0));
-    Chart cut = extract_triangles(
-        opposite, all, local, [&](Index h) { return opposite[h] != no_index; },
-        [&](Index h) -> const Point_3& { return chart.points[graph.tail(h)]; });
+    Chart cut = slit_chart(chart, graph, way);
     if (lay_flat_(cut) != Chart_status::valid || !is_border_clear(cut, least_gap))
       return std::numeric_limits<double>::infinity();
     return stretched_(cut);
@@ -271,9 +297,10 @@ private:
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
     if (!way.empty()) {
-      Flattened_chart opened = flatten_(extract_chart(surface_, segmentation_, f.chart.source, local_));
+      Flattened_chart opened = flatten_(opened_chart(f.chart, graph, way), f.record);
       const double now = opened.verdict.is_valid() ? stretched_(opened.chart) : place.stretched;
-      if (place.stretched - now >= least_rate * graph.length(way) * std::sqrt(area_)) {
+      const double least = std::max(least_gain * area_, least_rate * graph.length(way) * std::sqrt(area_));
+      if (place.stretched - now >= least) {
         place.stretched = now;
         f = std::move(opened);
         return true;
@@ -282,6 +309,18 @@ private:
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), false);
     return false;
+  }
+
+  /// The chart with a cut of the segmentation, as slit_chart() lays it.
+  Chart opened_chart(const Chart& chart, const Chart_ways& graph, const std::vector<Index>& way)
+  {
+    Chart result = extract_chart(surface_, segmentation_, chart.source, local_);
+    const Chart slit = slit_chart(chart, graph, way);
+    result.uv.resize(result.number_of_vertices());
+    for (std::size_t t = 0; t < result.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i)
+        result.uv[result.triangles[t][i]] = slit.uv[slit.triangles[t][i]];
+    return result;
   }
 
   static Index of_surface(const Chart& chart, Index h) { return 3 * chart.source[h / 3] + h % 3; }

@@ -79,8 +79,13 @@ inline Repair_options repair_options(Atlas_mode mode, const Merge_options& optio
 {
   constexpr double share = 0.56; // 1.28 of 1.5: less costs more seam than it is worth
   Repair_options result;
-  if (mode == Atlas_mode::standard && symmetry == Symmetry::off && !has_wishes(options))
+  if (mode == Atlas_mode::standard && symmetry == Symmetry::off && !has_wishes(options)) {
     result.wanted_stretch = 1 + share * (options.max_stretch - 1);
+    Distortion_options of_slits;
+    of_slits.tail_exponent = standard_tail_exponent;
+    of_slits.starts_near_minimum = true;
+    result.slit_optimizer = Symmetric_dirichlet_optimizer(of_slits);
+  }
   return result;
 }
 

@@ -22,7 +22,9 @@ public:
   using Minimizer = Distortion_minimizer<Power_of_energy<Energy>>;
 
   /// \param options  must outlive this object
-  Descent(const Energy& energy, const Distortion_options& options) : energy_(energy), options_(options) {}
+  Descent(const Energy& energy, const Distortion_options& options)
+      : energy_(energy), options_(options), is_near_(options.starts_near_minimum)
+  {}
 
   /// The energy of which minimizers are made.
   Power_of_energy<Energy> mean() const { return {energy_}; }
@@ -39,7 +41,7 @@ public:
   }
 
   /// The next map does not come from the last one.
-  void start_over() { is_near_ = false; }
+  void start_over() { is_near_ = options_.starts_near_minimum; }
 
 private:
   /// The mean of a power is larger and falls faster: its last digits gain nothing that is seen.
@@ -59,7 +61,7 @@ private:
 
   Energy energy_;
   const Distortion_options& options_;
-  bool is_near_ = false;
+  bool is_near_;
 };
 
 } // namespace Atlas::internal

@@ -33,7 +33,7 @@ Chart_status optimize_distortion(const Energy& energy, const Distortion_options&
   const double target = options.target * Energy::isometry;
   if (options.keeps_border)
     minimizer.keep_border();
-  else if (minimizer.mean_energy() > target) {
+  else if (!options.starts_near_minimum && minimizer.mean_energy() > target) {
     Multilevel_start<Energy> start(geometry, minimizer.borders(), minimizer.coordinates(), descent);
     if (!start(execution) || !minimizer.adopt(start.coordinates()))
       descent.start_over();

@@ -10,10 +10,12 @@
 #include <Atlas/segmentation/internal/rejoining/Trial_merge.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -97,6 +99,15 @@ private:
     Flattened_chart merged;
   };
 
+  /// Two charts as they are now, in any order. Charts only grow: a triangle and their size tell which.
+  using Pair = std::array<std::pair<Index, std::size_t>, 2>;
+  Pair pair_of(Index a, Index b) const
+  {
+    const auto [first, second] = std::minmax(a, b);
+    return {std::pair(charts_[first].chart.source.front(), size(first)),
+            std::pair(charts_[second].chart.source.front(), size(second))};
+  }
+
   std::size_t size(Index c) const { return charts_[c].chart.number_of_triangles(); }
 
   /// One batch of disjoint pairs. Fragments that are merged or have nothing more to try leave `open`.
@@ -147,12 +158,18 @@ private:
     return trials;
   }
 
-  Index next_neighbour(const Fragment& fragment) const
+  /// That it has not tried, in vain, as the two are now.
+  Index next_neighbour(Fragment& fragment) const
   {
-    if (fragment.tried.size() < tries)
-      for (const Index other : trial_merge_.neighbours(charts_[fragment.chart].chart))
-        if (std::find(fragment.tried.begin(), fragment.tried.end(), other) == fragment.tried.end())
-          return other;
+    for (const Index other : trial_merge_.neighbours(charts_[fragment.chart].chart)) {
+      if (fragment.tried.size() >= tries)
+        break;
+      if (std::find(fragment.tried.begin(), fragment.tried.end(), other) != fragment.tried.end())
+        continue;
+      if (!refused_.contains(pair_of(fragment.chart, other)))
+        return other;
+      fragment.tried.push_back(other);
+    }
     return no_index;
   }
 
@@ -176,6 +193,7 @@ private:
       fragment = Flattened_chart();
     } else {
       trial_merge_.undo(fragment.chart);
+      refused_.insert(pair_of(trial.fragment, trial.other));
     }
     return is_accepted;
   }
@@ -189,6 +207,7 @@ private:
   Trial_merge trial_merge_;
   std::vector<Index> local_; ///< scratch: charts are disjoint, each writes its own entries
   std::size_t budget_;
+  std::set<Pair> refused_;
 };
 
 } // namespace Atlas::internal
