@@ -176,6 +176,7 @@ int run_batch(const CLI::App& app, const Options& options, const Batch_options& 
     print_line(entry, result);
     progress.add(entry.mesh, result, !before);
   }
+  clear_fragments(entries); // of a run that was killed just before this one began, and had not ended yet
   progress.finish();
   return is_interrupted ? interrupted : progress.has_failures() ? not_valid : success;
 }
