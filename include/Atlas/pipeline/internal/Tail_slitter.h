@@ -132,8 +132,9 @@ private:
   /// More slits than that make a comb of a chart: the more the larger it is.
   static constexpr double most_opened = 6, most_opened_of_all = 12;
   static constexpr int most_refused = 3;
-  /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has.
-  static constexpr std::size_t tries = 16;
+  /// Slits that are tried on a coarse copy before one is made, and about how many triangles it has: the more
+  /// triangles, the fewer slits.
+  static constexpr std::size_t most_tries = 16, least_tries = 2, triangles_of_tries = 64'000;
   static constexpr std::array<double, 2> triangles_of_copies{2500, 30000};
   /// Two edges of a border come no nearer than this share of their length.
   static constexpr double least_gap = 0.01;
@@ -173,6 +174,7 @@ private:
     Slit slit;                       ///< the best
     int opened = 0, refused = 0;     ///< slits; in vain since the last one
     std::vector<Point_3> known;      ///< ends of slits that have been made or refused
+    std::vector<double> costs;       ///< of seams, per halfedge, once they are known
     std::map<Point_3, double> rates; ///< per end of a slit that was tried: what it brought then
   };
 
@@ -211,7 +213,7 @@ private:
       std::vector<Index> way = graph.way_to(ways, v);
       Slit slit{copy.points[graph.tail(way.back())], copy.points[v], 0};
       if (!copy.source.empty())
-        way = way_of(slit, copy, graph);
+        way = way_of(slit, copy, graph, costs_of(copy, place));
       if (way.empty())
         continue;
       const double gain = place.stretched * (1 - stretched_with(copy, graph, way) / before);
@@ -262,6 +264,8 @@ private:
     }
     std::sort(order.begin(), order.end());
     constexpr double least_distance = 0.3; // of the longer one of two slits
+    const std::size_t tries =
+        std::clamp(triangles_of_tries / chart.number_of_triangles(), least_tries, most_tries);
     std::vector<Index> ends;
     for (const auto& entry : order) {
       const Index v = entry.second;
@@ -293,7 +297,7 @@ private:
     const Slit slit = place.slit;
     place.known.push_back(slit.end);
     const Chart_ways graph(f.chart);
-    const std::vector<Index> way = way_of(slit, f.chart, graph);
+    const std::vector<Index> way = way_of(slit, f.chart, graph, costs_of(f.chart, place));
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
     if (!way.empty()) {
@@ -325,8 +329,20 @@ private:
 
   static Index of_surface(const Chart& chart, Index h) { return 3 * chart.source[h / 3] + h % 3; }
 
+  /// What a seam costs, per halfedge of a chart, which stays the same when the chart is slit.
+  const std::vector<double>& costs_of(const Chart& chart, Place& place) const
+  {
+    for (Index h = static_cast<Index>(place.costs.size()); h < 3 * chart.number_of_triangles(); ++h) {
+      const Index g = of_surface(chart, h);
+      place.costs.push_back(must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity()
+                                                          : single(costs_(g).cost));
+    }
+    return place.costs;
+  }
+
   /// The cheapest way from the end of a slit to its start, or to a part of the border that is much nearer.
-  std::vector<Index> way_of(const Slit& slit, const Chart& chart, const Chart_ways& graph) const
+  std::vector<Index> way_of(const Slit& slit, const Chart& chart, const Chart_ways& graph,
+                            const std::vector<double>& costs) const
   {
     constexpr double much_nearer = 0.7;
     Index end = no_index;
@@ -335,10 +351,7 @@ private:
         end = v;
     if (end == no_index)
       return {};
-    const Chart_ways::Ways ways = graph.from({end}, [&](Index h) {
-      const Index g = of_surface(chart, h);
-      return must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity() : single(costs_(g).cost);
-    });
+    const Chart_ways::Ways ways = graph.from({end}, [&](Index h) { return costs[h]; });
     Index best = no_index;
     double least = std::numeric_limits<double>::infinity();
     for (Index v = 0; v < chart.number_of_vertices(); ++v)

@@ -84,6 +84,7 @@ inline Repair_options repair_options(Atlas_mode mode, const Merge_options& optio
     Distortion_options of_slits;
     of_slits.tail_exponent = standard_tail_exponent;
     of_slits.starts_near_minimum = true;
+    of_slits.max_iterations = 10; // smooth charts take less, rough ones would gain little
     result.slit_optimizer = Symmetric_dirichlet_optimizer(of_slits);
   }
   return result;

@@ -34,26 +34,28 @@ inline void draw_in(Chart& flat, const std::vector<std::uint8_t>& is_marked)
 /// A flat chart that is slit open along a way. It lies as before, but for the sides of the slit: they are a
 /// little apart, so that an optimiser can keep them so.
 /// \param graph  of the chart
-/// \param way    from the border to a vertex inside, the last halfedge first
+/// \param way    between the border and a vertex inside
 inline Chart slit_chart(const Chart& flat, const Chart_ways& graph, const std::vector<Index>& way)
 {
   std::vector<Index> opposite = graph.opposite();
-  std::vector<std::uint8_t> is_on_side(flat.number_of_vertices(), 0);
-  for (const Index h : way) {
+  for (const Index h : way)
     opposite[h] = opposite[graph.opposite()[h]] = no_index;
-    is_on_side[graph.tail(h)] = 1;
-  }
   std::vector<Index> all(flat.number_of_triangles()), local(all.size());
   std::iota(all.begin(), all.end(), Index(0));
   Chart slit = extract_triangles(
       opposite, all, local, [&](Index h) { return opposite[h] != no_index; },
       [&](Index h) -> const Point_3& { return flat.points[graph.tail(h)]; });
   slit.uv.resize(slit.number_of_vertices());
-  std::vector<std::uint8_t> is_marked(opposite.size());
+  std::vector<Index> copy(flat.number_of_vertices(), no_index);
+  std::vector<std::uint8_t> has_two(flat.number_of_vertices(), 0), is_marked(opposite.size());
   for (Index h = 0; h < opposite.size(); ++h) {
-    slit.uv[slit.triangles[h / 3][h % 3]] = flat.uv[graph.tail(h)];
-    is_marked[h] = is_on_side[graph.tail(h)];
+    const Index v = graph.tail(h), w = slit.triangles[h / 3][h % 3];
+    slit.uv[w] = flat.uv[v];
+    has_two[v] |= copy[v] != no_index && copy[v] != w;
+    copy[v] = w;
   }
+  for (Index h = 0; h < opposite.size(); ++h)
+    is_marked[h] = has_two[graph.tail(h)];
   draw_in(slit, is_marked);
   return slit;
 }
