@@ -334,8 +334,8 @@ private:
   {
     for (Index h = static_cast<Index>(place.costs.size()); h < 3 * chart.number_of_triangles(); ++h) {
       const Index g = of_surface(chart, h);
-      place.costs.push_back(must_not_be_seam(surface_, g) ? std::numeric_limits<double>::infinity()
-                                                          : single(costs_(g).cost));
+      const bool is_possible = surface_.opposite[g] != no_index && !must_not_be_seam(surface_, g);
+      place.costs.push_back(is_possible ? single(costs_(g).cost) : std::numeric_limits<double>::infinity());
     }
     return place.costs;
   }
