@@ -10,6 +10,7 @@
 #include <Atlas/pipeline/internal/Page_cutter.h>
 #include <Atlas/pipeline/internal/Repeated_parts.h>
 #include <Atlas/pipeline/internal/count_angles.h>
+#include <Atlas/pipeline/internal/idle_corners.h>
 #include <Atlas/pipeline/internal/normalize.h>
 #include <Atlas/pipeline/internal/round_coordinates.h>
 #include <Atlas/pipeline/internal/run_atlas.h>
@@ -262,19 +263,7 @@ private:
           corner_uv_[surface_.corner[3 * chart.source[t] + i]] =
               turned_over(c, chart.uv[chart.triangles[t][i]]);
     }
-    write_idle_corners(nowhere);
-  }
-
-  /// Corners that no triangle uses (of rejected faces, or the second of two equal neighbours) take the
-  /// coordinates of the used corner before them, so that their faces have no area in the plane.
-  void write_idle_corners(const Point_2& nowhere)
-  {
-    Point_2 last(0.5, 0.5);
-    for (Point_2& p : corner_uv_) {
-      if (p == nowhere)
-        p = last;
-      last = p;
-    }
+    write_idle_corners(corner_uv_, nowhere);
   }
 
   /// Numbers the charts in the order of their first triangles, as the certificate does.

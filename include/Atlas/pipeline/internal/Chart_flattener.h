@@ -15,6 +15,8 @@
 #include <Atlas/pipeline/internal/Tail_slitter.h>
 #include <Atlas/pipeline/internal/close_cuts.h>
 #include <Atlas/pipeline/internal/joined_charts.h>
+#include <Atlas/pipeline/internal/parts_of_faces.h>
+#include <Atlas/pipeline/internal/scale_to_area.h>
 #include <Atlas/pipeline/internal/tiny_charts.h>
 #include <Atlas/pipeline/presets.h>
 #include <Atlas/segmentation/cut_to_discs.h>
@@ -48,8 +50,6 @@ public:
   /// How many times as many triangles as the surface has may be flattened in vain to find other charts for
   /// pieces.
   static constexpr std::size_t work_of_joining = 5;
-  /// Cells across a chart to which its coordinates are snapped.
-  static constexpr double fineness = 4294967296.0;
 
   /// \param segmentation  is changed where charts are split or joined
   Chart_flattener(const Surface& surface, Segmentation& segmentation, const Policies& policies,
@@ -180,7 +180,7 @@ private:
     if (verdict.status == Chart_status::valid && !policies_.repair.optimize_accepted)
       verdict.status = optimize(result);
     if (verdict.status == Chart_status::valid) {
-      give_area(result.chart);
+      scale_to_area(result.chart, texel_);
       verdict = policies_.validator.validate(result.chart, execution_);
     }
     if (verdict.status == Chart_status::valid && policies_.repair.optimize_accepted)
@@ -204,7 +204,7 @@ private:
     Flattened_chart optimized = accepted;
     if (optimize(optimized) != Chart_status::valid || optimized.uv_before.empty())
       return;
-    give_area(optimized.chart);
+    scale_to_area(optimized.chart, texel_);
     if (policies_.validator.validate(optimized.chart, execution_).is_valid())
       accepted = std::move(optimized);
   }
@@ -220,21 +220,6 @@ private:
     f.chart.uv.assign(f.chart.number_of_vertices(), Point_2(0, 0));
     if (draw_on_grid(f))
       f.record.start = Flattening_start::schnyder;
-  }
-
-  /// Scales the chart to its area in space; but to no less than about a texel, so that tiny and needle-thin
-  /// charts get texels of their own and do not collapse when coordinates are rounded.
-  void give_area(Chart& chart) const
-  {
-    const CGAL::Bbox_2 box = CGAL::bbox_2(chart.uv.begin(), chart.uv.end());
-    const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    if (!(extent > 0) || !std::isfinite(extent))
-      return;
-    const double in_plane = std::abs(area_uv(chart)) / extent / extent;
-    const double side = std::max(texel_, in_plane > 0 ? std::sqrt(area_3d(chart) / in_plane) : 0.0);
-    const auto snap = [&](double x) { return std::round(x / extent * fineness) / fineness * side; };
-    for (Point_2& p : chart.uv)
-      p = Point_2(snap(p.x() - box.xmin()), snap(p.y() - box.ymin()));
   }
 
   /// Gives pieces of refused charts to charts that stay within the bound with them, or get no worse.
@@ -283,7 +268,7 @@ private:
     if (is_optimized_after_slit(chart)) {
       Flattened_chart result{std::move(chart), {}, record, {}};
       result.record.is_optimized = true;
-      give_area(result.chart);
+      scale_to_area(result.chart, texel_);
       result.verdict = policies_.validator.validate(result.chart, execution_);
       return result;
     }
@@ -329,9 +314,9 @@ private:
       return false;
     std::vector<Index> parts;
     if (!is_halved)
-      parts = whole_face_parts(source, policies_.splitter.split(refused.chart, refused.verdict));
+      parts = whole_face_parts(surface_, source, policies_.splitter.split(refused.chart, refused.verdict));
     if (std::all_of(parts.begin(), parts.end(), [&](Index part) { return part == parts.front(); }))
-      parts = halves(source);
+      parts = halves(surface_, source);
     std::vector<Index> names; // of the parts, in the order of their first triangle
     for (std::size_t i = 0; i < source.size(); ++i) {
       if (names.size() <= parts[i])
@@ -346,26 +331,6 @@ private:
     }
     ++split_charts_;
     return true;
-  }
-
-  /// The part of a face is that of its first triangle. The triangles of a face follow each other.
-  std::vector<Index> whole_face_parts(const std::vector<Index>& source, std::vector<Index> parts) const
-  {
-    for (std::size_t i = 1; i < source.size(); ++i)
-      if (surface_.face[source[i]] == surface_.face[source[i - 1]])
-        parts[i] = parts[i - 1];
-    return parts;
-  }
-
-  /// Two parts with about as many triangles each.
-  std::vector<Index> halves(const std::vector<Index>& source) const
-  {
-    std::vector<Index> parts(source.size(), 0);
-    const Index last_of_first = surface_.face[source[(source.size() - 1) / 2]];
-    for (std::size_t i = 0; i < source.size(); ++i)
-      parts[i] = surface_.face[source[i]] > last_of_first ||
-                 (last_of_first == surface_.face[source.back()] && surface_.face[source[i]] == last_of_first);
-    return parts;
   }
 
   /// Makes discs of the charts that were split, and tells all numbers that need flattening now.
@@ -401,7 +366,7 @@ private:
     Chart drawn = f.chart;
     if (Schnyder_parameterizer().parameterize(drawn, execution_) != Chart_status::valid)
       return false;
-    give_area(drawn);
+    scale_to_area(drawn, texel_);
     if (drawn.uv == f.chart.uv)
       return false;
     f.chart = std::move(drawn);
