@@ -5,8 +5,6 @@
 #include <Atlas/core/Chart.h>
 #include <Atlas/measure/distortion.h>
 
-#include <CGAL/bbox.h>
-
 #include <algorithm>
 #include <cmath>
 
