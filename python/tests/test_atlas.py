@@ -59,7 +59,7 @@ def test_options_have_their_effect():
     assert charts(SQUARE, HALVES, add=dict(materials=[5, 9])) == 1
     assert charts(*box(), hard_angle=60) == 6
     assert charts(*box(), hard_angle=60, segmentation="seams", parameterizer="abf", packer="rectangles") == 6
-    assert charts(*box()) == 1 and charts(*box(), segmentation="normals") == 2
+    assert charts(*box()) == 1 and charts(*box(), segmentation="normals") == 3
     for wrong in (
         dict(segmentation="none"), dict(parameterizer="abf", solver="cg"), dict(segmentation="seams", max_charts=2),
         dict(packer=3), dict(keep_uv=True, optimizer="mips"), dict(only_given_seams=True, max_charts=2),

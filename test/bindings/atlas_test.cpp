@@ -217,7 +217,7 @@ TEST(atlas_h, StagesHaveNames)
   atlas_options options = defaults();
   EXPECT_EQ(charts_of(box(), options), 1u);
   options.segmentation = "normals";
-  EXPECT_EQ(charts_of(box(), options), 2u);
+  EXPECT_EQ(charts_of(box(), options), 3u);
   options.segmentation = "seams";
   options.hard_angle = 60;
   options.parameterizer = "tutte";

@@ -99,13 +99,13 @@ private:
     Flattened_chart merged;
   };
 
-  /// Two charts as they are now, in any order. Charts only grow: a triangle and their size tell which.
+  /// A fragment and another chart as they are now. Charts only grow: a triangle and their size tell which.
+  /// The order counts: who is given away decides along which border the two are glued.
   using Pair = std::array<std::pair<Index, std::size_t>, 2>;
-  Pair pair_of(Index a, Index b) const
+  Pair pair_of(Index fragment, Index other) const
   {
-    const auto [first, second] = std::minmax(a, b);
-    return {std::pair(charts_[first].chart.source.front(), size(first)),
-            std::pair(charts_[second].chart.source.front(), size(second))};
+    return {std::pair(charts_[fragment].chart.source.front(), size(fragment)),
+            std::pair(charts_[other].chart.source.front(), size(other))};
   }
 
   std::size_t size(Index c) const { return charts_[c].chart.number_of_triangles(); }
@@ -158,7 +158,7 @@ private:
     return trials;
   }
 
-  /// That it has not tried, in vain, as the two are now.
+  /// One that it has not tried, nor in an earlier pass when the two were as they are now.
   Index next_neighbour(Fragment& fragment) const
   {
     for (const Index other : trial_merge_.neighbours(charts_[fragment.chart].chart)) {
@@ -207,7 +207,7 @@ private:
   Trial_merge trial_merge_;
   std::vector<Index> local_; ///< scratch: charts are disjoint, each writes its own entries
   std::size_t budget_;
-  std::set<Pair> refused_;
+  std::set<Pair> refused_; ///< what need not be tried again
 };
 
 } // namespace Atlas::internal
