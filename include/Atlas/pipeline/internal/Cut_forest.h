@@ -247,11 +247,13 @@ private:
   /// stretched.
   bool keep_bound(const Chart& chart, const Chart_cut& cut) const
   {
+    if (cut.number_of_parts == 0)
+      return true;
     const std::vector<Triangle_distortion> measured = triangle_distortions(chart);
     if (used_share(measured, bound_) > 1)
       return true;
     std::vector<std::vector<Triangle_distortion>> of_parts(cut.number_of_parts);
-    for (std::size_t t = 0; t < measured.size() && !of_parts.empty(); ++t)
+    for (std::size_t t = 0; t < measured.size(); ++t)
       of_parts[cut.parts[t]].push_back(measured[t]);
     return std::all_of(of_parts.begin(), of_parts.end(),
                        [&](const auto& part) { return used_share(part, bound_) <= 1; });

@@ -19,6 +19,7 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -60,13 +61,14 @@ private:
   /// missing around them to a full one.
   static constexpr std::array curvatures{1.2, 0.5, 0.2};
   /// By which the share of the surface that is stretched too far may grow for the length of a zip, in roots
-  /// of the surface's area: less than what slits have to gain.
+  /// of the surface's area.
   static constexpr double greatest_rate = 0.0075;
   /// Zips that are shorter, in the same unit, are not worth the time.
   static constexpr double least_length = 0.01;
 
   void zip(Flattened_chart& f)
   {
+    std::optional<double> of_copy; // of the chart as it is
     for (const Cut& cut : cuts_of(f.chart)) {
       std::size_t last = 0;
       for (const double curvature : curvatures) {
@@ -75,7 +77,7 @@ private:
             std::accumulate(cut.length.begin(), cut.length.begin() + static_cast<std::ptrdiff_t>(n), 0.);
         if (length < least_length * unit_ || execution_.is_cancelled())
           break;
-        if (n != std::exchange(last, n) && is_zipped(f, std::span(cut.edges).first(n), length))
+        if (n != std::exchange(last, n) && is_zipped(f, std::span(cut.edges).first(n), length, of_copy))
           break;
       }
     }
@@ -100,16 +102,19 @@ private:
   }
 
   /// Zips edges if the chart is good without them.
-  bool is_zipped(Flattened_chart& f, std::span<const Index> edges, double length)
+  /// \param of_copy  see is_promising()
+  bool is_zipped(Flattened_chart& f, std::span<const Index> edges, double length,
+                 std::optional<double>& of_copy)
   {
     for (const Index h : edges)
       set_cut(surface_, segmentation_, h, false);
     Chart zipped = extract_chart(surface_, segmentation_, f.chart.source, local_);
     const double most_growth = greatest_rate * length * unit_;
-    if (is_promising(zipped, f.chart, most_growth)) {
+    if (is_promising(zipped, f.chart, most_growth, of_copy)) {
       Flattened_chart now = flatten_(std::move(zipped));
       if (now.verdict.is_valid() && stretched_(now.chart) - stretched_(f.chart) <= most_growth) {
         f = std::move(now);
+        of_copy.reset();
         return true;
       }
     }
@@ -118,16 +123,24 @@ private:
     return false;
   }
 
-  /// Whether coarse copies of a large chart leave hope for a zip: they are stretched more.
-  bool is_promising(const Chart& zipped, const Chart& chart, double most_growth) const
+  /// Whether coarse copies of a large chart, with and without a zip, leave hope for it. Copies are stretched
+  /// farther than the chart, and so may be what the zip adds.
+  /// \param of_copy  stretched area of a copy of the chart without the zip, once that is known
+  bool is_promising(const Chart& zipped, const Chart& chart, double most_growth,
+                    std::optional<double>& of_copy) const
   {
     constexpr double triangles = 2500, hope = 3, hope_of_copies = 0.15;
-    Chart after = coarse_copy(zipped, triangles), before = coarse_copy(chart, triangles);
-    if (after.number_of_triangles() == zipped.number_of_triangles() ||
-        lay_flat_(before) != Chart_status::valid || lay_flat_(after) != Chart_status::valid)
+    Chart after = coarse_copy(zipped, triangles);
+    if (after.number_of_triangles() == zipped.number_of_triangles())
       return true;
-    const double stretched = stretched_(before);
-    return stretched_(after) - stretched <= hope * most_growth + hope_of_copies * stretched;
+    if (!of_copy) {
+      Chart before = coarse_copy(chart, triangles);
+      if (lay_flat_(before) != Chart_status::valid)
+        return true;
+      of_copy = stretched_(before);
+    }
+    return lay_flat_(after) != Chart_status::valid ||
+           stretched_(after) - *of_copy <= hope * most_growth + hope_of_copies * *of_copy;
   }
 
   std::vector<Cut> cuts_of(const Chart& chart) const

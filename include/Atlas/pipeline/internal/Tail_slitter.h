@@ -4,7 +4,6 @@
 
 #include <Atlas/core/Execution.h>
 #include <Atlas/core/Surface.h>
-#include <Atlas/core/extract_charts.h>
 #include <Atlas/core/internal/Flattened_chart.h>
 #include <Atlas/core/internal/cuts.h>
 #include <Atlas/core/internal/edge_rules.h>
@@ -84,8 +83,7 @@ public:
                Flatten flatten, Lay_flat lay_flat, const Execution& execution)
       : surface_(surface), segmentation_(segmentation), stretched_(wanted), share_(share),
         flatten_(std::move(flatten)), lay_flat_(std::move(lay_flat)), execution_(execution),
-        area_(area_3d(surface)), costs_(surface, sharp_angle, sharp_discount),
-        local_(surface.number_of_triangles())
+        area_(area_3d(surface)), costs_(surface, sharp_angle, sharp_discount)
   {}
 
   /// Charts are those of the segmentation. Returns how many slits there are.
@@ -301,7 +299,7 @@ private:
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), true);
     if (!way.empty()) {
-      Flattened_chart opened = flatten_(opened_chart(f.chart, graph, way), f.record);
+      Flattened_chart opened = flatten_(slit_chart(f.chart, graph, way), f.record);
       const double now = opened.verdict.is_valid() ? stretched_(opened.chart) : place.stretched;
       const double least = std::max(least_gain * area_, least_rate * graph.length(way) * std::sqrt(area_));
       if (place.stretched - now >= least) {
@@ -313,18 +311,6 @@ private:
     for (const Index h : way)
       set_cut(surface_, segmentation_, of_surface(f.chart, h), false);
     return false;
-  }
-
-  /// The chart with a cut of the segmentation, as slit_chart() lays it.
-  Chart opened_chart(const Chart& chart, const Chart_ways& graph, const std::vector<Index>& way)
-  {
-    Chart result = extract_chart(surface_, segmentation_, chart.source, local_);
-    const Chart slit = slit_chart(chart, graph, way);
-    result.uv.resize(result.number_of_vertices());
-    for (std::size_t t = 0; t < result.triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i)
-        result.uv[result.triangles[t][i]] = slit.uv[slit.triangles[t][i]];
-    return result;
   }
 
   static Index of_surface(const Chart& chart, Index h) { return 3 * chart.source[h / 3] + h % 3; }
@@ -374,7 +360,6 @@ private:
   const Execution& execution_;
   double area_; ///< of the surface
   Seam_costs costs_;
-  std::vector<Index> local_; ///< scratch: per triangle of the surface
 };
 
 } // namespace Atlas::internal

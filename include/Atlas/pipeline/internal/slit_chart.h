@@ -45,6 +45,7 @@ inline Chart slit_chart(const Chart& flat, const Chart_ways& graph, const std::v
   Chart slit = extract_triangles(
       opposite, all, local, [&](Index h) { return opposite[h] != no_index; },
       [&](Index h) -> const Point_3& { return flat.points[graph.tail(h)]; });
+  slit.source = flat.source;
   slit.uv.resize(slit.number_of_vertices());
   std::vector<Index> copy(flat.number_of_vertices(), no_index);
   std::vector<std::uint8_t> has_two(flat.number_of_vertices(), 0), is_marked(opposite.size());

@@ -41,7 +41,7 @@ public:
   }
 
   /// The next map does not come from the last one.
-  void start_over() { is_near_ = options_.starts_near_minimum; }
+  void start_over() { is_near_ = false; }
 
 private:
   /// The mean of a power is larger and falls faster: its last digits gain nothing that is seen.
